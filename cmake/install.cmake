@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Libraries, headers, and a CMake package: find_package(pcl_pds_recon) gives pcl_pds_recon::pcl_pds_recon.
+include(CMakePackageConfigHelpers)
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/pcl_pds_recon")
+
+install(
+  TARGETS pcl_pds_recon_core pcl_pds_recon
+  EXPORT pcl_pds_recon_targets
+  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  INCLUDES
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+if(TARGET pcl_pds_recon_tool)
+  install(TARGETS pcl_pds_recon_tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
+
+install(
+  DIRECTORY "${PROJECT_SOURCE_DIR}/pcl_pds_recon/include/" "${PROJECT_BINARY_DIR}/pcl_pds_recon/include/"
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  FILES_MATCHING
+  PATTERN "*.h"
+  PATTERN "*.hpp")
+
+install(
+  EXPORT pcl_pds_recon_targets
+  NAMESPACE pcl_pds_recon::
+  DESTINATION "${package_dir}")
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/pcl_pds_recon-config.cmake.in"
+                              "${PROJECT_BINARY_DIR}/pcl_pds_recon-config.cmake" INSTALL_DESTINATION "${package_dir}")
+# Before 1.0 a new minor version may break its users.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/pcl_pds_recon-config-version.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/pcl_pds_recon-config.cmake"
+              "${PROJECT_BINARY_DIR}/pcl_pds_recon-config-version.cmake" DESTINATION "${package_dir}")

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The programs: each is built if its libraries are there.
+find_package(Boost QUIET COMPONENTS program_options)
+find_package(nlohmann_json QUIET)
+find_package(spdlog QUIET)
+find_package(VTK 9.0 QUIET COMPONENTS CommonCore CommonDataModel FiltersCore IOImage IOPLY RenderingCore
+                                      RenderingOpenGL2)
+
+set(missing "")
+if(NOT TARGET Boost::program_options)
+  list(APPEND missing "Boost.Program_options (libboost-program-options-dev)")
+endif()
+if(NOT nlohmann_json_FOUND)
+  list(APPEND missing "nlohmann-json (nlohmann-json3-dev)")
+endif()
+if(NOT spdlog_FOUND)
+  list(APPEND missing "spdlog (libspdlog-dev)")
+endif()
+list(JOIN missing ", " missing)
+
+if(missing)
+  list(APPEND left_out "command tool (not found: ${missing})")
+elseif(EXISTS "${PROJECT_SOURCE_DIR}/tools/CMakeLists.txt")
+  add_subdirectory(tools)
+endif()
+
+if(TARGET Boost::program_options)
+  if(EXISTS "${PROJECT_SOURCE_DIR}/tools/generate/CMakeLists.txt")
+    add_subdirectory(tools/generate)
+  endif()
+  if(VTK_FOUND)
+    if(EXISTS "${PROJECT_SOURCE_DIR}/tools/render/CMakeLists.txt")
+      add_subdirectory(tools/render)
+    endif()
+  else()
+    list(APPEND left_out "mesh renderer (VTK not found: libvtk9-dev)")
+  endif()
+endif()
