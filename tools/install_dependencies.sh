@@ -9,7 +9,7 @@ tools="libboost-program-options-dev libspdlog-dev nlohmann-json3-dev libvtk9-dev
 tests="libgtest-dev libbenchmark-dev"
 checks="clang-format clang-tidy help2man git ca-certificates"
 # VTK draws through an X server; xvfb-run needs xauth, and a machine without a GPU needs Mesa's software renderer.
-demo="xvfb xauth libgl1-mesa-dri"
+demo="xvfb xauth libgl1-mesa-dri jq"
 
 fail()
 {

@@ -1,0 +1,33 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs the dependencies, builds everything and runs all tests.
+#   test/run.sh              optimised, warnings are errors (preset ci)
+#   test/run.sh --sanitize   with the address and undefined-behaviour sanitizers (preset asan-ubsan)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+exec </dev/null
+
+case "${1-}" in
+  "") preset=ci ;;
+  --sanitize) preset=asan-ubsan ;;
+  *)
+    echo "run.sh: unknown option '$1'; usage: test/run.sh [--sanitize]" >&2
+    exit 2
+    ;;
+esac
+
+tools/install_dependencies.sh
+
+# Ninja's own default is more jobs than cores: too much memory for PCL's headers.
+jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+options=()
+if command -v ccache >/dev/null; then
+  options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  # Without these ccache cannot reuse what was compiled with a precompiled header.
+  export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+fi
+cmake --preset "$preset" "${options[@]}"
+cmake --build --preset "$preset" --parallel "$jobs"
+
+export UBSAN_OPTIONS=print_stacktrace=1
+ctest --preset "$preset" --parallel "$jobs"
