@@ -3,8 +3,6 @@
 #include <pcl/conversions.h>
 
 #include <boost/preprocessor/seq/enum.hpp>
-#include <stdexcept>
-#include <string>
 #include <thread>
 
 #include "test_clouds.h"
@@ -17,14 +15,6 @@ namespace
 using pcl::PointXYZ;
 using pcl::PoissonDiskStatus;
 using Reconstruction = pcl::PoissonDiskReconstruction<PointXYZ>;
-
-/** \brief Output that a careless caller passes in again. */
-std::vector<pcl::Vertices> stalePolygons()
-{
-  pcl::Vertices stale;
-  stale.vertices = {123456, 234567, 345678};
-  return {stale, stale};
-}
 
 TEST(PoissonDiskReconstruction, BothOverloadsDescribeTheSameTriangles)
 {
@@ -131,116 +121,6 @@ TEST(PoissonDiskReconstruction, WorksThroughPointersToItsBases)
   EXPECT_EQ(renumbered(triangles(mesh.polygons), expected.seeds), expected.mesh);
 }
 
-TEST(PoissonDiskReconstruction, ReportsMissingInput)
-{
-  Reconstruction reconstruction;
-  EXPECT_EQ(reconstruction.getStatus(), PoissonDiskStatus::not_run);
-  pcl::PolygonMesh mesh;
-  mesh.polygons = stalePolygons();
-  reconstruction.reconstruct(mesh);
-  EXPECT_EQ(reconstruction.getStatus(), PoissonDiskStatus::no_input);
-  EXPECT_FALSE(reconstruction.getStatusMessage().empty());
-  EXPECT_TRUE(mesh.polygons.empty());
-
-  std::vector<pcl::Vertices> polygons = stalePolygons();
-  static_cast<pcl::MeshConstruction<PointXYZ>&>(reconstruction).reconstruct(polygons);
-  EXPECT_EQ(reconstruction.getStatus(), PoissonDiskStatus::no_input);
-  EXPECT_TRUE(polygons.empty());
-}
-
-TEST(PoissonDiskReconstruction, TooFewPointsGiveAnEmptyMesh)
-{
-  for (const std::size_t size : {0u, 1u, 2u}) {
-    const auto cloud = makeSphere<PointXYZ>(size);
-    Reconstruction reconstruction;
-    reconstruction.setInputCloud(cloud);
-    pcl::PolygonMesh mesh;
-    mesh.polygons = stalePolygons();
-    reconstruction.reconstruct(mesh);
-    EXPECT_EQ(reconstruction.getStatus(), PoissonDiskStatus::success) << size;
-    EXPECT_TRUE(mesh.polygons.empty()) << size;
-    EXPECT_EQ(mesh.cloud.width * mesh.cloud.height, 0u) << size;
-    EXPECT_EQ(reconstruction.getVoronoiLabels().size(), size);
-    EXPECT_EQ(reconstruction.getVoronoiDistances().size(), size);
-  }
-}
-
-TEST(PoissonDiskReconstruction, WrongSettingsGiveAStatusAndNoMesh)
-{
-  using Setting = std::pair<const char*, void (*)(Reconstruction&)>;
-  const Setting wrong_settings[] = {
-      {"k", [](Reconstruction& r) { r.setKSearch(0); }},
-      {"radius factor", [](Reconstruction& r) { r.setRadiusFactor(-1.0); }},
-      {"radius", [](Reconstruction& r) { r.setRadius(std::nan("")); }},
-      {"adaptive", [](Reconstruction& r) { r.setAdaptiveCoefficient(-0.1); }},
-      {"voronoi threshold", [](Reconstruction& r) { r.setVoronoiThreshold(2.0); }},
-      {"hole size", [](Reconstruction& r) { r.setHoleSize(-1.0); }},
-  };
-  const auto cloud = makeSphere<PointXYZ>(2000);
-  for (const auto& [name, set_wrong] : wrong_settings) {
-    Reconstruction reconstruction;
-    reconstruction.setInputCloud(cloud);
-    std::vector<pcl::Vertices> polygons;
-    reconstruction.reconstruct(polygons);
-    ASSERT_EQ(reconstruction.getStatus(), PoissonDiskStatus::success) << name;
-
-    set_wrong(reconstruction);
-    reconstruction.reconstruct(polygons);
-    EXPECT_EQ(reconstruction.getStatus(), PoissonDiskStatus::invalid_option) << name;
-    EXPECT_FALSE(reconstruction.getStatusMessage().empty()) << name;
-    EXPECT_TRUE(polygons.empty()) << name;
-    EXPECT_TRUE(reconstruction.getSeedIndices().empty()) << name << ": result of the run before";
-    EXPECT_TRUE(reconstruction.getVoronoiLabels().empty()) << name << ": result of the run before";
-    EXPECT_EQ(reconstruction.getReport().faces, 0u) << name << ": result of the run before";
-  }
-}
-
-TEST(PoissonDiskReconstruction, SettersAndGettersAgreeAndRunsKeepSettings)
-{
-  Reconstruction reconstruction;
-  const pds::Options defaults;
-  EXPECT_EQ(reconstruction.getKSearch(), defaults.k_neighbors);
-  EXPECT_EQ(reconstruction.getRadiusFactor(), defaults.radius_factor);
-  EXPECT_EQ(reconstruction.getRadius(), defaults.radius);
-  EXPECT_EQ(reconstruction.getAdaptiveCoefficient(), defaults.adaptive);
-  EXPECT_EQ(reconstruction.getVoronoiThreshold(), defaults.voronoi_threshold);
-  EXPECT_EQ(reconstruction.getHoleSize(), defaults.hole_size);
-  EXPECT_EQ(reconstruction.getGeodesicSolver(), defaults.geodesic_solver);
-  EXPECT_EQ(reconstruction.getNumberOfThreads(), defaults.threads);
-  EXPECT_EQ(reconstruction.getSeed(), defaults.seed);
-
-  reconstruction.setKSearch(12);
-  reconstruction.setRadiusFactor(2.5);
-  reconstruction.setRadius(0.2);
-  reconstruction.setAdaptiveCoefficient(0.1);
-  reconstruction.setVoronoiThreshold(0.2);
-  reconstruction.setHoleSize(12.0);
-  reconstruction.setGeodesicSolver(Reconstruction::GeodesicSolver::dijkstra);
-  reconstruction.setNumberOfThreads(2);
-  reconstruction.setSeed(99);
-  reconstruction.setInputCloud(makeSphere<PointXYZ>());
-  std::vector<pcl::Vertices> polygons;
-  reconstruction.reconstruct(polygons);
-  ASSERT_EQ(reconstruction.getStatus(), PoissonDiskStatus::success);
-
-  EXPECT_EQ(reconstruction.getKSearch(), 12);
-  EXPECT_EQ(reconstruction.getRadiusFactor(), 2.5);
-  EXPECT_EQ(reconstruction.getRadius(), 0.2);
-  EXPECT_EQ(reconstruction.getAdaptiveCoefficient(), 0.1);
-  EXPECT_EQ(reconstruction.getVoronoiThreshold(), 0.2);
-  EXPECT_EQ(reconstruction.getHoleSize(), 12.0);
-  EXPECT_EQ(reconstruction.getGeodesicSolver(), Reconstruction::GeodesicSolver::dijkstra);
-  EXPECT_EQ(reconstruction.getNumberOfThreads(), 2u);
-  EXPECT_EQ(reconstruction.getSeed(), 99u);
-  EXPECT_EQ(reconstruction.getSearchMethod(), nullptr);
-  // The settings reached the core.
-  EXPECT_EQ(reconstruction.getReport().k, 12);
-  EXPECT_DOUBLE_EQ(reconstruction.getReport().radius, 0.2);
-  EXPECT_EQ(reconstruction.getReport().threads, 2u);
-  reconstruction.setNumberOfThreads();
-  EXPECT_EQ(reconstruction.getNumberOfThreads(), 0u);
-}
-
 TEST(PoissonDiskReconstruction, ReuseEqualsAFreshObject)
 {
   const auto wall = makeOrganizedWall(100, 80);
@@ -280,84 +160,6 @@ TEST(PoissonDiskReconstruction, TwoThreadsAndACopiedObjectDoNotDisturbEachOther)
   thread.join();
   EXPECT_EQ(equal_spheres, rounds);
   EXPECT_EQ(equal_squares, rounds);
-}
-
-TEST(PoissonDiskReconstruction, VoronoiDiagramBelongsToTheSeeds)
-{
-  const auto cloud = makeSphere<PointXYZ>();
-  Reconstruction reconstruction;
-  reconstruction.setInputCloud(cloud);
-  pcl::PolygonMesh mesh;
-  reconstruction.reconstruct(mesh);
-  const pcl::Indices& seeds = reconstruction.getAllSeedIndices();
-  const auto& labels = reconstruction.getVoronoiLabels();
-  const auto& distances = reconstruction.getVoronoiDistances();
-  ASSERT_EQ(labels.size(), cloud->size());
-  ASSERT_EQ(distances.size(), cloud->size());
-
-  const double radius = reconstruction.getReport().radius;
-  const double rounding = 1e-5 * radius;
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    ASSERT_GE(labels[i], 0);
-    ASSERT_LT(static_cast<std::size_t>(labels[i]), seeds.size());
-    const PointXYZ& seed = cloud->at(static_cast<std::size_t>(seeds[static_cast<std::size_t>(labels[i])]));
-    const double chord = (seed.getVector3fMap() - (*cloud)[i].getVector3fMap()).norm();
-    EXPECT_GE(distances[i], chord - rounding);
-    EXPECT_LE(distances[i], radius + rounding);
-  }
-  for (std::size_t seed = 0; seed < seeds.size(); ++seed) {
-    EXPECT_EQ(labels[static_cast<std::size_t>(seeds[seed])], static_cast<pcl::index_t>(seed));
-    EXPECT_EQ(distances[static_cast<std::size_t>(seeds[seed])], 0.0f);
-  }
-  const pcl::Indices& used = reconstruction.getSeedIndices();
-  ASSERT_LE(used.size(), seeds.size());
-  EXPECT_TRUE(std::equal(used.begin(), used.end(), seeds.begin()));
-
-  const pcl::Indices& witnesses = reconstruction.getWitnessPoints();
-  EXPECT_FALSE(witnesses.empty());
-  EXPECT_TRUE(std::is_sorted(witnesses.begin(), witnesses.end()));
-  EXPECT_LT(static_cast<std::size_t>(witnesses.back()), cloud->size());
-}
-
-TEST(PoissonDiskReconstruction, BoundaryLoopRunsAlongTheRim)
-{
-  Reconstruction reconstruction;
-  reconstruction.setInputCloud(makeSquare<PointXYZ>());
-  pcl::PolygonMesh mesh;
-  reconstruction.reconstruct(mesh);
-  ASSERT_EQ(reconstruction.getBoundaryLoops().size(), 1u);
-  DirectedEdges rim;
-  const DirectedEdges edges = directedEdges(triangles(mesh.polygons));
-  for (const auto& edge : edges) {
-    if (edges.count({edge.second, edge.first}) == 0) rim.insert(edge);
-  }
-  const pcl::Indices& loop = reconstruction.getBoundaryLoops().front();
-  DirectedEdges loop_edges;
-  for (std::size_t i = 0; i < loop.size(); ++i) loop_edges.insert({loop[i], loop[(i + 1) % loop.size()]});
-  EXPECT_EQ(loop_edges, rim);
-}
-
-TEST(PoissonDiskReconstruction, ReportsProgressAndSurvivesAThrowingCallback)
-{
-  Reconstruction reconstruction;
-  reconstruction.setInputCloud(makeSphere<PointXYZ>());
-  std::vector<double> fractions;
-  reconstruction.setProgressCallback([&](const char* stage, double fraction) {
-    EXPECT_STRNE(stage, "");
-    fractions.push_back(fraction);
-  });
-  std::vector<pcl::Vertices> polygons;
-  reconstruction.reconstruct(polygons);
-  ASSERT_GE(fractions.size(), 3u);
-  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
-  EXPECT_GE(fractions.front(), 0.0);
-  EXPECT_LE(fractions.back(), 1.0);
-
-  reconstruction.setProgressCallback([](const char*, double) { throw std::runtime_error("cancelled by the user"); });
-  reconstruction.reconstruct(polygons);
-  EXPECT_EQ(reconstruction.getStatus(), PoissonDiskStatus::failed);
-  EXPECT_EQ(reconstruction.getStatusMessage(), "cancelled by the user");
-  EXPECT_TRUE(polygons.empty());
 }
 
 template <typename PointT>

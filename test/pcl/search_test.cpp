@@ -86,10 +86,7 @@ TEST(PoissonDiskReconstructionSearch, IsHonouredAndGivesTheSameMesh)
 TEST(PoissonDiskReconstructionSearch, GetsTheCheckedIndices)
 {
   const auto cloud = makeSphere<PointXYZ>();
-  const pcl::IndicesPtr indices(new pcl::Indices);
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    if ((*cloud)[i].z > 0.0f) indices->insert(indices->end(), 2, static_cast<pcl::index_t>(i));
-  }
+  const pcl::IndicesPtr indices = upperHalfTwice(*cloud);
   const std::set<pcl::index_t> expected_indices(indices->begin(), indices->end());
   Reconstruction reconstruction;
   reconstruction.setInputCloud(cloud);

@@ -85,6 +85,16 @@ inline pcl::PointCloud<pcl::PointXYZ>::Ptr makeOrganizedWall(std::uint32_t width
   return cloud;
 }
 
+/** \brief Indices of the upper half of a cloud, each twice and in descending order. */
+inline pcl::IndicesPtr upperHalfTwice(const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  pcl::IndicesPtr indices(new pcl::Indices);
+  for (std::size_t i = cloud.size(); i-- > 0;) {
+    if (cloud[i].z > 0.0f) indices->insert(indices->end(), 2, static_cast<pcl::index_t>(i));
+  }
+  return indices;
+}
+
 inline std::vector<Triangle> triangles(const std::vector<pcl::Vertices>& polygons)
 {
   std::vector<Triangle> result;
@@ -138,6 +148,14 @@ inline void expectClosedSurface(const std::vector<pcl::Vertices>& polygons)
     return edges.count({edge.second, edge.first}) == 1;
   });
   EXPECT_TRUE(closed);
+}
+
+/** \brief Output that a careless caller passes in again. */
+inline std::vector<pcl::Vertices> stalePolygons()
+{
+  pcl::Vertices stale;
+  stale.vertices = {123456, 234567, 345678};
+  return {stale, stale};
 }
 
 /** \brief Everything that a run with given options leaves behind, for comparison with another run. */
