@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <pcl_pds_recon/neighbor_graph.h>
+
+namespace pds
+{
+
+/** \brief Plane fitted to the neighbourhood of each point. */
+struct SurfaceEstimate
+{
+  std::vector<Eigen::Vector3f> normal;  ///< unit, of arbitrary sign; zero where the neighbourhood is no surface
+  std::vector<float> curvature;         ///< square root of the surface variation (smallest eigenvalue over their sum)
+};
+
+/** \brief The metric in which disks are grown: an edge is its length times the mean weight of its two ends.
+ *
+ * Weights are at least 1, so that no distance falls below the Euclidean one.
+ */
+struct EdgeWeights
+{
+  std::vector<float> weight;  ///< per point; empty = 1 everywhere (uniform reconstruction)
+
+  [[nodiscard]] bool uniform() const { return weight.empty(); }
+  [[nodiscard]] float at(std::size_t i) const { return weight.empty() ? 1.0F : weight[i]; }
+};
+
+/** \brief Fits a plane to every point and its own nearest neighbours. O(n k). */
+[[nodiscard]] SurfaceEstimate estimate_surface(const OrderedPoints& points,
+                                               const NeighborGraph& graph,
+                                               const Parallel& parallel);
+
+/** \brief What bounds the adaptive weights. */
+struct WeightLimits
+{
+  double disk_intervals = 3.0;  ///< radius of a disk in (unweighted) sampling intervals ...
+  bool at_mean_weight = true;   ///< ... where the weight is its mean; false: where it is 1
+};
+
+/** \brief Adaptive weights exp(c x) of the paper's section "Uniform and adaptive reconstruction".
+ *
+ * x is the smoothed curvature over its mean. Weights are bounded so that the smallest disks still hold enough points
+ * for a Voronoi cell: without that, meshes tear where they should be finest.
+ * \param coefficient c (0 gives the uniform metric)
+ */
+[[nodiscard]] EdgeWeights curvature_weights(const SurfaceEstimate& surface,
+                                            const NeighborGraph& graph,
+                                            double coefficient,
+                                            const WeightLimits& limits,
+                                            const Parallel& parallel);
+
+/** \brief Mean over all points of the weighted distances to their own neighbours, in units of position. */
+[[nodiscard]] double mean_weighted_interval(const OrderedPoints& points,
+                                            const NeighborGraph& graph,
+                                            const EdgeWeights& weights);
+
+}  // namespace pds

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <pcl_pds_recon/seed_faces.h>
+#include <pcl_pds_recon/triangle_complex.h>
+
+namespace pds
+{
+
+/** \brief What a filling may do. Lengths are in radii. */
+struct FillLimits
+{
+  double perimeter = 15.0;      ///< longest perimeter of a hole, in the run's metric
+  double chord = 3.9;           ///< longest new edge: twice the reach of two disks that meet cannot be exceeded by much
+  double smallest_angle = 0.7;  ///< least angle that two faces may enclose at an edge, radians
+};
+
+/** \brief Holes of the complex: closed chains of boundary edges, each run through with the hole on the left.
+ * Every vertex must have a single fan. */
+[[nodiscard]] std::vector<Polygon> boundary_loops(const TriangleComplex& complex);
+
+/** \brief Triangulates one polygon by the constrained Delaunay rule: of all triangulations whose chords are new and
+ * that fold nowhere, the one with the least sum of squared circumradii. O(n^3) for n corners.
+ * \return false if the polygon is too long or has no such triangulation; the complex is then as before
+ */
+bool fill_polygon(TriangleComplex& complex, const SeedGeometry& seeds, const Polygon& polygon, const FillLimits& limits);
+
+/** \brief Fills the faces of more than three sides that lie wholly in the open, then all holes of the complex within
+ * the limits, shortest first (paper, flowchart step 8). Before, between and after, what cannot stay goes: pinched
+ * vertices keep their largest fan, folds and specks are removed.
+ * \return the number of polygons of more than three sides filled */
+std::size_t fill_holes(TriangleComplex& complex,
+                       const SeedGeometry& seeds,
+                       const std::vector<Polygon>& faces,
+                       const FillLimits& limits);
+
+}  // namespace pds

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <pcl_pds_recon/parallel.h>
+
+namespace pds
+{
+
+/** \brief k nearest neighbours of every point of a set in Morton order, the point itself left out.
+ *
+ * A complete binary tree of bounding boxes over runs of consecutive points; nothing is built but the boxes.
+ * \param position points in Morton order (any order is correct, others are slower)
+ * \param k neighbours wanted; there must be more than k points
+ * \return row i, of k entries: the neighbours of point i by ascending distance, equal distances by ascending index
+ */
+[[nodiscard]] std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
+                                                           std::size_t k,
+                                                           const Parallel& parallel);
+
+}  // namespace pds

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace pds
+{
+
+/** \brief How distances along the surface are computed on the neighbourhood graph. */
+enum class GeodesicSolver
+{
+  fast_marching,  ///< two-point (eikonal) updates; the paper's choice, mean error below 1 %
+  dijkstra        ///< shortest paths along graph edges; overestimates, kept for comparison
+};
+
+/** \brief Everything a reconstruction can be told. The defaults suit a clean, dense scan.
+ *
+ * Distances are in the unit of the input unless a field says otherwise.
+ */
+struct Options
+{
+  int k_neighbors = 15;        ///< neighbours per point, the point itself not counted (4 ... 200)
+  double radius_factor = 3.0;  ///< Poisson-disk radius in sampling intervals (1.5 ... 1000)
+  double radius = 0.0;         ///< absolute Poisson-disk radius; 0 = radius_factor sampling intervals
+  double adaptive = 0.0;       ///< curvature coefficient c of the weight exp(c x); 0 = uniform (0 ... 2)
+  double voronoi_threshold = 0.1;  ///< a witness's two distances differ by less than this many radii (0 ... 1)
+  double hole_size = 15.0;  ///< perimeter limit of filled holes, in radii; 0 = Voronoi dual triangles only
+  GeodesicSolver geodesic_solver = GeodesicSolver::fast_marching;  ///< how disks are grown
+  unsigned threads = 0;    ///< worker threads; 0 = all cores. The result does not depend on it
+  std::uint64_t seed = 0;  ///< picks one of the equally valid dart-throwing orders
+};
+
+/** \brief Thrown when an option is out of range; what() is one line that names the option and its range. */
+struct InvalidOption : std::invalid_argument
+{
+  using std::invalid_argument::invalid_argument;
+};
+
+/** \brief Thrown when the input cannot be processed; what() is one line that says why and what to do. */
+struct InvalidInput : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief Checks every field of \a options against its documented range.
+ * \throws InvalidOption naming the first field out of range
+ */
+void validate(const Options& options);
+
+}  // namespace pds

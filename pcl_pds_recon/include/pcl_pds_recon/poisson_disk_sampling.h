@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <pcl_pds_recon/edge_weights.h>
+#include <pcl_pds_recon/neighbor_graph.h>
+#include <pcl_pds_recon/options.h>
+#include <pcl_pds_recon/ordered_points.h>
+
+namespace pds
+{
+
+/** \brief The nearest seeds of a point, nearest first: where several disks overlap, the Voronoi diagram shows. */
+struct NearestSeeds
+{
+  static constexpr std::size_t capacity = 4;  ///< three meet at a Voronoi vertex; one more where four nearly do
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  std::array<std::uint32_t, capacity> seed{none, none, none, none};
+  std::array<float, capacity> distance{infinity, infinity, infinity, infinity};
+
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+  [[nodiscard]] bool covered(float radius) const { return distance[0] <= radius; }
+  void insert(std::uint32_t new_seed, float new_distance);
+};
+
+/** \brief Poisson-disk samples of a cloud. */
+struct PoissonDiskSampling
+{
+  std::vector<std::uint32_t> seeds;   ///< ranks, ascending
+  std::vector<NearestSeeds> nearest;  ///< per point; seeds are named by their place in \a seeds
+  double radius = 0;                  ///< in units of position, in the run's metric
+};
+
+/** \brief How far beyond the radius disks are grown, in radii: a point near a Voronoi vertex then knows all three seeds
+ * although distances measured from either side differ a little. */
+constexpr double disk_reach = 1.25;
+
+/** \brief Dart throwing over geodesic disks (paper, flowchart steps 2 to 5).
+ *
+ * The distance of two points is the smaller of those measured from either. Space is cut into cells of twice the reach,
+ * coloured with 2 x 2 x 2 colours: disks of different cells of one colour cannot meet, because no distance is below the
+ * Euclidean one. Colours are worked through in turn, the cells of one in parallel, the points of a cell in an order
+ * drawn by hashing their coordinates: the result depends on nothing else. About 2 settled points per point.
+ *
+ * \param radius in units of position
+ * \param seed picks the order
+ */
+[[nodiscard]] PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
+                                                       const NeighborGraph& graph,
+                                                       const EdgeWeights& weights,
+                                                       double radius,
+                                                       GeodesicSolver solver,
+                                                       std::uint64_t seed,
+                                                       const Parallel& parallel);
+
+}  // namespace pds

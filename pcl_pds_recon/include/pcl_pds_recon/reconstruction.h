@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <pcl_pds_recon/options.h>
+#include <pcl_pds_recon/point_cloud_view.h>
+#include <pcl_pds_recon/report.h>
+
+namespace pds
+{
+
+/** \brief Marks a point without a Voronoi cell: it is not finite. */
+constexpr std::uint32_t no_label = std::numeric_limits<std::uint32_t>::max();
+
+/** \brief Geodesic Voronoi diagram of the seeds, one entry per input point (paper, section "2D manifold case"). */
+struct VoronoiDiagram
+{
+  std::vector<std::uint32_t> label;  ///< nearest seed, an index into Reconstruction::seeds, or no_label
+  std::vector<float> distance;       ///< distance to it in input units, in the run's metric; NaN without a label
+};
+
+/** \brief An oriented, manifold triangle mesh on a subset of the input points, and how it came about. */
+struct Reconstruction
+{
+  /** \brief Input index of each seed. The first report.vertices seeds are the mesh's vertices in its order; seeds that
+   * ended without a face follow. Their order does not depend on the order of the input. */
+  std::vector<std::uint32_t> seeds;
+  std::vector<std::array<std::uint32_t, 3>> triangles;      ///< vertices of each face, counter-clockwise from outside
+  VoronoiDiagram voronoi;                                   ///< cell and distance of every input point
+  std::vector<std::uint32_t> witness_points;                ///< input indices of points near Voronoi edges, ascending
+  std::vector<std::vector<std::uint32_t>> boundary_loops;   ///< vertices of each rim, in the direction of its faces
+  Report report;                                            ///< counts, certificate, seconds
+};
+
+/** \brief Called at the start of every stage with its name and the share of the work done so far (0 ... 1). */
+using Progress = std::function<void(const char* stage, double fraction)>;
+
+/** \brief Reconstructs a surface from a dense point cloud by Poisson-disk sampling (Hou et al. 2015).
+ *
+ * Time O(n log n), about 250 bytes per point. The mesh is the same for any number of threads and any input order.
+ *
+ * \param cloud the points; too few or collinear points give an empty mesh, not an error
+ * \param options see Options
+ * \param progress optional; called from the calling thread
+ * \throws InvalidOption if an option is out of range
+ * \throws InvalidInput if the cloud is too large or its extent is not finite
+ */
+[[nodiscard]] Reconstruction reconstruct(const PointCloudView& cloud,
+                                         const Options& options,
+                                         const Progress& progress = {});
+
+}  // namespace pds

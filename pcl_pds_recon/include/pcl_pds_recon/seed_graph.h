@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <pcl_pds_recon/geodesic_voronoi.h>
+
+namespace pds
+{
+
+/** \brief Seeds as the vertices of a mesh in the making. */
+struct SeedGeometry
+{
+  std::vector<Eigen::Vector3d> position;  ///< in radii, so that every length in the later stages is in radii
+  std::vector<Eigen::Vector3d> normal;    ///< unit, of arbitrary sign: principal axis of the cell's point normals
+  std::vector<double> weight;             ///< the run's metric at the seed
+};
+
+/** \brief Graph of adjacent seeds that is planar in every tangent plane (paper, flowchart step 7). */
+struct SeedGraph
+{
+  std::vector<std::vector<std::uint32_t>> neighbors;  ///< by seed, counter-clockwise about its normal
+};
+
+[[nodiscard]] SeedGeometry describe_seeds(const OrderedPoints& points,
+                                          const SurfaceEstimate& surface,
+                                          const EdgeWeights& weights,
+                                          const PoissonDiskSampling& sampling,
+                                          const GeodesicVoronoi& voronoi,
+                                          const Parallel& parallel);
+
+/** \brief Joins bordering seeds, best evidence first (witnesses, then shortest path), unless the edge would cross one
+ * that is already there in the tangent plane between its ends. O(edges). */
+[[nodiscard]] SeedGraph build_seed_graph(const SeedGeometry& seeds, const std::vector<SeedPair>& pairs);
+
+}  // namespace pds

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <pcl_pds_recon/edge_weights.h>
+
+namespace pds
+{
+namespace
+{
+
+constexpr std::size_t block = 4096;    // points per block
+constexpr double smallest_disk = 2.0;   // intervals: about 25 points at k = 15, of which a cell keeps a dozen
+constexpr double largest_exponent = 5.0;  // c x; beyond it exp() only names outliers
+constexpr int fixed_point_steps = 20;
+constexpr int smoothing_rounds = 3;    // averages over about 2 k-neighbourhoods: wider than noise, narrower than a disk
+
+Eigen::Matrix3d neighborhood_covariance(const OrderedPoints& points, const NeighborGraph& graph, std::size_t i)
+{
+  // Relative to the point itself: what is left has no cancellation.
+  const NeighborSpan nearest = graph.nearest(i);
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  for (const std::uint32_t j : nearest) {
+    const Eigen::Vector3d d = (points.position[j] - points.position[i]).cast<double>();
+    mean += d;
+    moment += d * d.transpose();
+  }
+  const auto count = static_cast<double>(nearest.size() + 1);
+  mean /= count;
+  return moment / count - mean * mean.transpose();
+}
+
+std::vector<float> smoothed(std::vector<float> field, const NeighborGraph& graph, const Parallel& parallel)
+{
+  std::vector<float> next(field.size());
+  for (int round = 0; round < smoothing_rounds; ++round) {
+    parallel.each(field.size(), block, [&](std::size_t i) {
+      float sum = field[i];
+      for (const std::uint32_t j : graph.nearest(i)) sum += field[j];
+      next[i] = sum / static_cast<float>(graph.nearest(i).size() + 1);
+    });
+    field.swap(next);
+  }
+  return field;
+}
+
+double mean(const std::vector<float>& values)
+{
+  double sum = 0;
+  for (const float v : values) sum += static_cast<double>(v);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+/** \brief The greatest weight that leaves disks of smallest_disk intervals, at least 1.
+ *
+ * If the radius goes with the mean weight, lowering the bound lowers that mean; the fixed point is found by iteration,
+ * which converges because each step moves the mean less than the bound.
+ */
+double largest_weight(const std::vector<float>& weights, const WeightLimits& limits)
+{
+  const double room = limits.disk_intervals / smallest_disk;
+  if (!limits.at_mean_weight) return std::max(1.0, room);
+  double bound = std::exp(largest_exponent);
+  for (int step = 0; step < fixed_point_steps; ++step) {
+    double sum = 0;
+    for (const float w : weights) sum += std::min(static_cast<double>(w), bound);
+    bound = std::max(1.0, room * sum / static_cast<double>(weights.size()));
+  }
+  return bound;
+}
+
+}  // namespace
+
+SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
+{
+  SurfaceEstimate surface;
+  surface.normal.assign(graph.size(), Eigen::Vector3f::Zero());
+  surface.curvature.assign(graph.size(), 0.0F);
+  parallel.each(graph.size(), block, [&](std::size_t i) {
+    if (graph.nearest(i).size() < 2) return;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(neighborhood_covariance(points, graph, i));
+    const Eigen::Vector3d eigenvalues = solver.eigenvalues().cwiseMax(0.0);
+    surface.normal[i] = solver.eigenvectors().col(0).cast<float>();
+    if (eigenvalues.sum() > 0)
+      surface.curvature[i] = static_cast<float>(std::sqrt(eigenvalues[0] / eigenvalues.sum()));
+  });
+  return surface;
+}
+
+EdgeWeights curvature_weights(const SurfaceEstimate& surface,
+                              const NeighborGraph& graph,
+                              double coefficient,
+                              const WeightLimits& limits,
+                              const Parallel& parallel)
+{
+  EdgeWeights weights;
+  if (coefficient == 0) return weights;
+  weights.weight = smoothed(surface.curvature, graph, parallel);
+  const double mean_curvature = mean(weights.weight);
+  if (mean_curvature <= 0) return {};
+  for (float& w : weights.weight)
+    w = static_cast<float>(std::exp(std::min(coefficient * static_cast<double>(w) / mean_curvature, largest_exponent)));
+  const auto largest = static_cast<float>(largest_weight(weights.weight, limits));
+  for (float& w : weights.weight) w = std::min(w, largest);
+  return weights;
+}
+
+double mean_weighted_interval(const OrderedPoints& points, const NeighborGraph& graph, const EdgeWeights& weights)
+{
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    for (const std::uint32_t j : graph.nearest(i)) {
+      const float length = (points.position[i] - points.position[j]).norm();
+      sum += static_cast<double>(length * 0.5F * (weights.at(i) + weights.at(j)));
+      ++count;
+    }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+}  // namespace pds

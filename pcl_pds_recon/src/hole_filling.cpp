@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <pcl_pds_recon/hole_filling.h>
+
+namespace pds
+{
+namespace
+{
+
+using Eigen::Vector3d;
+
+constexpr std::size_t most_corners = 48;  // bounds the cubic cost; a perimeter of 15 radii has about 12
+constexpr int rounds = 2;                 // of cleaning and filling
+constexpr double sharpest_fold = 0.646;   // radians (37 degrees): faces that enclose less are folded back
+constexpr std::size_t speck_faces = 20;   // a component smaller than this ...
+constexpr std::size_t speck_share = 100;  // ... and than this share of the largest one is no surface
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double metric_length(const SeedGeometry& seeds, std::uint32_t a, std::uint32_t b)
+{
+  return 0.5 * (seeds.weight[a] + seeds.weight[b]) * (seeds.position[a] - seeds.position[b]).norm();
+}
+
+double perimeter(const SeedGeometry& seeds, const Polygon& polygon)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += metric_length(seeds, polygon[i], polygon[(i + 1) % polygon.size()]);
+  return sum;
+}
+
+double squared_circumradius(const Vector3d& a, const Vector3d& b, const Vector3d& c)
+{
+  const double area2 = (b - a).cross(c - a).squaredNorm();  // four times the squared area
+  const double product = (b - a).squaredNorm() * (c - b).squaredNorm() * (a - c).squaredNorm();
+  return area2 > 0 ? product / (4 * area2) : infinity;
+}
+
+/** \brief Minimum-weight triangulation of a polygon in space by dynamic programming over its chords. */
+class PolygonTriangulation
+{
+ public:
+  PolygonTriangulation(const TriangleComplex& complex, const Polygon& polygon, const FillLimits& limits)
+      : complex_(complex),
+        polygon_(polygon),
+        limits_(limits),
+        n_(polygon.size()),
+        largest_cosine_(std::cos(limits.smallest_angle)),
+        cost_(n_ * n_, infinity),
+        apex_(n_ * n_, 0)
+  {
+    for (std::size_t i = 0; i + 1 < n_; ++i) cost_[i * n_ + i + 1] = 0;
+    for (std::size_t span = 2; span < n_; ++span)
+      for (std::size_t i = 0; i + span < n_; ++i) solve(i, i + span);
+  }
+
+  [[nodiscard]] bool exists() const { return cost_[n_ - 1] < infinity; }
+
+  [[nodiscard]] std::vector<Triangle> triangles() const
+  {
+    std::vector<Triangle> result;
+    std::vector<std::pair<std::size_t, std::size_t>> stack{{0, n_ - 1}};
+    while (!stack.empty()) {
+      const auto [i, j] = stack.back();
+      stack.pop_back();
+      if (j - i < 2) continue;
+      const std::size_t m = apex_[i * n_ + j];
+      result.push_back({polygon_[i], polygon_[m], polygon_[j]});
+      stack.emplace_back(i, m);
+      stack.emplace_back(m, j);
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] const Vector3d& at(std::size_t i) const { return complex_.position()[polygon_[i]]; }
+
+  [[nodiscard]] bool is_side(std::size_t i, std::size_t j) const { return j == i + 1 || (i == 0 && j == n_ - 1); }
+
+  void solve(std::size_t i, std::size_t j)
+  {
+    if (!is_side(i, j) &&
+        ((at(i) - at(j)).norm() > limits_.chord || complex_.has_edge(polygon_[i], polygon_[j])))
+      return;
+    for (std::size_t m = i + 1; m < j; ++m) {
+      const double below = cost_[i * n_ + m] + cost_[m * n_ + j];
+      if (below == infinity || folds(i, m, j) || folds(m, j, i) || (is_side(i, j) && folds_outside(i, j, m))) continue;
+      const double cost = below + squared_circumradius(at(i), at(m), at(j));
+      if (cost < cost_[i * n_ + j]) {
+        cost_[i * n_ + j] = cost;
+        apex_[i * n_ + j] = m;
+      }
+    }
+  }
+
+  /** \brief Whether a triangle with this apex folds onto what lies beyond its edge (i, j): another triangle of the
+   * filling, or the face outside the polygon. */
+  [[nodiscard]] bool folds(std::size_t i, std::size_t j, std::size_t apex) const
+  {
+    if (j == i + 1) return folds_outside(i, j, apex);
+    return TriangleComplex::fold_cosine(at(i), at(j), at(apex), at(apex_[i * n_ + j])) > largest_cosine_;
+  }
+
+  [[nodiscard]] bool folds_outside(std::size_t i, std::size_t j, std::size_t apex) const
+  {
+    const std::uint32_t a = polygon_[i];
+    const std::uint32_t b = polygon_[j];
+    for (const std::uint32_t f : complex_.faces_at(a)) {
+      const Triangle t = complex_.oriented(f);
+      if (t[0] != b && t[1] != b && t[2] != b) continue;
+      const std::uint32_t outside = t[0] + t[1] + t[2] - a - b;
+      if (TriangleComplex::fold_cosine(at(i), at(j), at(apex), complex_.position()[outside]) > largest_cosine_)
+        return true;
+    }
+    return false;
+  }
+
+  const TriangleComplex& complex_;
+  const Polygon& polygon_;
+  const FillLimits& limits_;
+  std::size_t n_;
+  double largest_cosine_;
+  std::vector<double> cost_;  ///< of the sub-polygon i ... j, at i * n + j
+  std::vector<std::size_t> apex_;
+};
+
+void remove_specks(TriangleComplex& complex)
+{
+  const auto components = complex.components();
+  std::size_t largest = 0;
+  for (const auto& c : components) largest = std::max(largest, c.size());
+  for (const auto& c : components)
+    if (c.size() < speck_faces && c.size() * speck_share < largest)
+      for (const std::uint32_t f : c) complex.remove(f);
+}
+
+void clean(TriangleComplex& complex)
+{
+  while (complex.remove_folds(sharpest_fold) + complex.remove_pinches() > 0) {
+  }
+  remove_specks(complex);
+  complex.rebuild_orientation();
+}
+
+std::size_t fill_loops(TriangleComplex& complex, const SeedGeometry& seeds, const FillLimits& limits)
+{
+  const std::vector<Polygon> loops = boundary_loops(complex);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < loops.size(); ++i) order.emplace_back(perimeter(seeds, loops[i]), i);
+  std::sort(order.begin(), order.end());
+  std::size_t filled = 0;
+  for (const auto& [length, i] : order)
+    if (fill_polygon(complex, seeds, loops[i], limits)) ++filled;
+  return filled;
+}
+
+}  // namespace
+
+std::vector<Polygon> boundary_loops(const TriangleComplex& complex)
+{
+  constexpr std::uint32_t none = TriangleComplex::no_face;
+  std::vector<std::uint32_t> next(complex.vertex_count(), none);
+  for (const std::uint32_t f : complex.faces()) {
+    const Triangle t = complex.oriented(f);
+    for (std::size_t e = 0; e < 3; ++e)
+      if (complex.other_face(f, t[e], t[(e + 1) % 3]) == none) next[t[(e + 1) % 3]] = t[e];
+  }
+  std::vector<Polygon> loops;
+  for (std::uint32_t start = 0; start < next.size(); ++start) {
+    if (next[start] == none) continue;
+    Polygon loop;
+    for (std::uint32_t v = start; next[v] != none;) {
+      loop.push_back(v);
+      const std::uint32_t to = next[v];
+      next[v] = none;
+      v = to;
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+bool fill_polygon(TriangleComplex& complex, const SeedGeometry& seeds, const Polygon& polygon, const FillLimits& limits)
+{
+  if (polygon.size() < 3 || polygon.size() > most_corners || perimeter(seeds, polygon) > limits.perimeter) return false;
+  const PolygonTriangulation triangulation(complex, polygon, limits);
+  if (!triangulation.exists()) return false;
+  const std::size_t before = complex.face_capacity();
+  for (const Triangle& t : triangulation.triangles())
+    if (complex.add(t, limits.smallest_angle) != TriangleComplex::Verdict::legal) {
+      for (std::size_t f = before; f < complex.face_capacity(); ++f) complex.remove(static_cast<std::uint32_t>(f));
+      return false;
+    }
+  return true;
+}
+
+std::size_t fill_holes(TriangleComplex& complex,
+                       const SeedGeometry& seeds,
+                       const std::vector<Polygon>& faces,
+                       const FillLimits& limits)
+{
+  std::size_t filled = 0;
+  if (limits.perimeter > 0) {
+    for (const Polygon& p : faces)
+      if (p.size() > 3 && fill_polygon(complex, seeds, p, limits)) ++filled;
+  }
+  for (int round = 0; round < rounds; ++round) {
+    clean(complex);
+    if (limits.perimeter > 0) filled += fill_loops(complex, seeds, limits);
+  }
+  clean(complex);
+  return filled;
+}
+
+}  // namespace pds

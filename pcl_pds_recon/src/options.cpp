@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <pcl_pds_recon/options.h>
+
+namespace pds
+{
+namespace
+{
+
+void require(bool ok, const char* what)
+{
+  if (!ok) throw InvalidOption(what);
+}
+
+bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
+
+}  // namespace
+
+void validate(const Options& options)
+{
+  require(options.k_neighbors >= 4 && options.k_neighbors <= 200, "k_neighbors must be 4 to 200");
+  require(within(options.radius_factor, 1.5, 1000), "radius_factor must be 1.5 to 1000 sampling intervals");
+  require(options.radius >= 0 && std::isfinite(options.radius), "radius must be 0 (automatic) or positive and finite");
+  require(within(options.adaptive, 0, 2), "adaptive must be 0 (uniform) to 2");
+  require(within(options.voronoi_threshold, 0, 1), "voronoi_threshold must be 0 to 1 radii");
+  require(options.hole_size >= 0 && std::isfinite(options.hole_size), "hole_size must be 0 or positive and finite");
+}
+
+}  // namespace pds
