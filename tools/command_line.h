@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_pds_recon/options.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace pds
+{
+
+enum class Verbosity
+{
+  quiet,    ///< errors only
+  normal,   ///< a progress bar on a terminal, otherwise a line per stage; a summary
+  detailed  ///< the options and the seconds of each stage besides
+};
+
+/** \brief What the user asked for. */
+struct CommandLine
+{
+  std::string input;
+  std::string output;
+  Options options;
+  bool ascii = false;
+  std::string report_file;     ///< empty: none
+  std::string voronoi_file;    ///< empty: none
+  std::string config_to_save;  ///< empty: none
+  Verbosity verbosity = Verbosity::normal;
+  std::string information;  ///< of --help or --version; if not empty, printing it is all there is to do
+};
+
+/** \brief Thrown for bad usage; what() is one line that names the option and what it takes. */
+struct UsageError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief Understands the command line and the configuration file that it names; the command line wins.
+ * \throws UsageError
+ */
+[[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
+
+/** \brief A configuration file that makes the same run of any input: every option with its value.
+ * \throws UsageError if a file name cannot stand in a configuration file
+ */
+[[nodiscard]] std::string to_config(const CommandLine& command_line);
+
+}  // namespace pds

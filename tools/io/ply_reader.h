@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/point_table.h"
+
+#include <string_view>
+
+namespace pds
+{
+
+/** \brief Reads the vertices of a PLY file in memory: ascii or binary of either byte order, every scalar property.
+ *
+ * List properties and other elements are passed over. Positions that are neither float nor double become double.
+ * \throws InvalidInput if the file is not a PLY file, is cut short or holds a value that does not fit its type
+ */
+[[nodiscard]] PointTable read_ply(std::string_view file);
+
+}  // namespace pds

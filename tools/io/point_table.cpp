@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/point_table.h"
+
+#include <pcl_pds_recon/options.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <set>
+#include <utility>
+
+namespace pds
+{
+
+namespace
+{
+
+using Triple = std::array<const char*, 3>;
+constexpr Triple position_names = {"x", "y", "z"};
+constexpr Triple normal_names = {"nx", "ny", "nz"};
+
+auto find_field(std::vector<Field>& fields, const char* name)
+{
+  return std::find_if(fields.begin(), fields.end(), [name](const Field& field) { return field.name == name; });
+}
+
+bool contains_all(std::vector<Field>& fields, const Triple& names)
+{
+  return std::all_of(names.begin(), names.end(),
+                     [&fields](const char* name) { return find_field(fields, name) != fields.end(); });
+}
+
+/** Moves the fields of \a names to \a place and gives them one floating-point type, as Vector3View needs them. */
+void gather_triple(std::vector<Field>& fields, const Triple& names, std::size_t place)
+{
+  bool all_float = true;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto found = find_field(fields, names[i]);
+    all_float = all_float && found->type == ScalarType::float32;
+    const auto target = fields.begin() + static_cast<std::ptrdiff_t>(place + i);
+    std::rotate(target, found, found + 1);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    fields[place + i].type = all_float ? ScalarType::float32 : ScalarType::float64;
+  }
+}
+
+}  // namespace
+
+std::size_t size_of(ScalarType type)
+{
+  return visit_scalar(type, [](auto zero) { return sizeof zero; });
+}
+
+const char* ply_name(ScalarType type)
+{
+  switch (type) {
+    case ScalarType::int8:
+      return "char";
+    case ScalarType::uint8:
+      return "uchar";
+    case ScalarType::int16:
+      return "short";
+    case ScalarType::uint16:
+      return "ushort";
+    case ScalarType::int32:
+      return "int";
+    case ScalarType::uint32:
+      return "uint";
+    case ScalarType::float32:
+      return "float";
+    case ScalarType::float64:
+      break;
+  }
+  return "double";
+}
+
+PointTable::PointTable(std::vector<Field> fields) : fields_(std::move(fields))
+{
+  std::set<std::string> names;
+  for (const Field& field : fields_) {
+    if (!names.insert(field.name).second) {
+      throw InvalidInput("the field '" + field.name + "' appears twice; give each field a name of its own");
+    }
+  }
+  if (!contains_all(fields_, position_names)) {
+    throw InvalidInput("has no coordinates x, y and z; name the three fields so");
+  }
+  gather_triple(fields_, position_names, 0);
+  has_normals_ = contains_all(fields_, normal_names);
+  if (has_normals_) {
+    gather_triple(fields_, normal_names, position_names.size());
+  }
+  for (Field& field : fields_) {
+    field.offset = record_bytes_;
+    record_bytes_ += size_of(field.type);
+  }
+}
+
+void PointTable::resize(std::size_t size)
+{
+  records_.resize(size * record_bytes_);
+  size_ = size;
+}
+
+const Field* PointTable::find(const std::string& name) const
+{
+  const auto found =
+      std::find_if(fields_.begin(), fields_.end(), [&name](const Field& field) { return field.name == name; });
+  return found == fields_.end() ? nullptr : &*found;
+}
+
+double PointTable::value(std::size_t i, const Field& field) const
+{
+  return visit_scalar(field.type, [source = record(i) + field.offset](auto scalar) {
+    std::memcpy(&scalar, source, sizeof scalar);
+    return static_cast<double>(scalar);
+  });
+}
+
+void PointTable::set_value(std::size_t i, const Field& field, double value)
+{
+  visit_scalar(field.type, [target = record(i) + field.offset, value](auto zero) {
+    const auto scalar = static_cast<decltype(zero)>(value);
+    std::memcpy(target, &scalar, sizeof scalar);
+  });
+}
+
+PointTable PointTable::select(const std::vector<std::uint32_t>& indices, std::size_t count) const
+{
+  PointTable selected(fields_);
+  selected.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(selected.record(i), record(indices[i]), record_bytes_);
+  }
+  return selected;
+}
+
+PointTable PointTable::with_fields(const std::vector<Field>& added) const
+{
+  const auto replaced = [&added](const Field& field) {
+    return std::any_of(added.begin(), added.end(), [&field](const Field& other) { return other.name == field.name; });
+  };
+  std::vector<Field> kept;
+  std::remove_copy_if(fields_.begin(), fields_.end(), std::back_inserter(kept), replaced);
+  std::vector<Field> all = kept;
+  all.insert(all.end(), added.begin(), added.end());
+
+  PointTable table(all);
+  table.sensor_origin = sensor_origin;
+  table.resize(size_);
+  for (const Field& source : kept) {
+    const Field& target = *table.find(source.name);
+    for (std::size_t i = 0; i < size_; ++i) {
+      std::memcpy(table.record(i) + target.offset, record(i) + source.offset, size_of(source.type));
+    }
+  }
+  return table;
+}
+
+Vector3View PointTable::vectors_at(const Field& first) const
+{
+  const std::byte* data = records_.data() + first.offset;
+  return first.type == ScalarType::float64 ? Vector3View(reinterpret_cast<const double*>(data), record_bytes_)
+                                           : Vector3View(reinterpret_cast<const float*>(data), record_bytes_);
+}
+
+PointCloudView PointTable::view() const
+{
+  PointCloudView view;
+  view.size = size_;
+  view.positions = vectors_at(fields_.front());
+  if (has_normals_) {
+    view.normals = vectors_at(fields_[position_names.size()]);
+  }
+  view.sensor_origin = sensor_origin;
+  view.record_less = [this](std::uint32_t a, std::uint32_t b) {
+    return std::memcmp(record(a), record(b), record_bytes_) < 0;
+  };
+  return view;
+}
+
+}  // namespace pds

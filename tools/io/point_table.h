@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_pds_recon/point_cloud_view.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pds
+{
+
+/** \brief The scalar types of a PLY property. */
+enum class ScalarType
+{
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  float32,
+  float64
+};
+
+/** \brief Calls \a visitor with a zero of the C++ type that \a type stands for. */
+template <typename Visitor>
+decltype(auto) visit_scalar(ScalarType type, Visitor&& visitor)
+{
+  switch (type) {
+    case ScalarType::int8:
+      return visitor(std::int8_t{});
+    case ScalarType::uint8:
+      return visitor(std::uint8_t{});
+    case ScalarType::int16:
+      return visitor(std::int16_t{});
+    case ScalarType::uint16:
+      return visitor(std::uint16_t{});
+    case ScalarType::int32:
+      return visitor(std::int32_t{});
+    case ScalarType::uint32:
+      return visitor(std::uint32_t{});
+    case ScalarType::float32:
+      return visitor(float{});
+    case ScalarType::float64:
+      break;
+  }
+  return visitor(double{});
+}
+
+/** \brief Bytes of one scalar. */
+[[nodiscard]] std::size_t size_of(ScalarType type);
+
+/** \brief Name of the type in a PLY header: char, uchar, short, ushort, int, uint, float or double. */
+[[nodiscard]] const char* ply_name(ScalarType type);
+
+/** \brief One scalar per point: x, y, z, intensity, red, ... */
+struct Field
+{
+  std::string name;
+  ScalarType type = ScalarType::float32;
+  std::size_t offset = 0;  ///< of the scalar in a record, in bytes; set by PointTable
+};
+
+/** \brief A point cloud as it stood in the file: one packed record of scalar fields per point, each kept to the last
+ * bit.
+ *
+ * A record starts with x y z and, if all three are there, nx ny nz; the other fields follow in the order of the file.
+ * Positions and normals are float if the file says so, otherwise double.
+ */
+class PointTable
+{
+ public:
+  /** \brief An empty table with these fields.
+   * \throws InvalidInput if x, y or z is missing or a name appears twice
+   */
+  explicit PointTable(std::vector<Field> fields);
+
+  void resize(std::size_t size);
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  [[nodiscard]] const std::vector<Field>& fields() const { return fields_; }
+  [[nodiscard]] const Field* find(const std::string& name) const;  ///< nullptr if there is no such field
+
+  [[nodiscard]] std::size_t record_bytes() const { return record_bytes_; }
+  [[nodiscard]] std::byte* record(std::size_t i) { return records_.data() + i * record_bytes_; }
+  [[nodiscard]] const std::byte* record(std::size_t i) const { return records_.data() + i * record_bytes_; }
+
+  [[nodiscard]] double value(std::size_t i, const Field& field) const;
+  void set_value(std::size_t i, const Field& field, double value);  ///< value must fit the field's type
+
+  [[nodiscard]] bool has_double_positions() const { return fields_.front().type == ScalarType::float64; }
+  [[nodiscard]] bool has_normals() const { return has_normals_; }
+
+  /** \brief Where the sensor stood, if the file says so. */
+  std::optional<Eigen::Vector3d> sensor_origin;
+
+  /** \brief The rows of the first \a count of these indices, in their order. */
+  [[nodiscard]] PointTable select(const std::vector<std::uint32_t>& indices, std::size_t count) const;
+
+  /** \brief The same points with these fields in place of any of the same name; the new scalars are zero. */
+  [[nodiscard]] PointTable with_fields(const std::vector<Field>& added) const;
+
+  /** \brief What the reconstruction reads; valid as long as the table is neither changed nor destroyed. */
+  [[nodiscard]] PointCloudView view() const;
+
+ private:
+  [[nodiscard]] Vector3View vectors_at(const Field& first) const;
+
+  std::vector<Field> fields_;
+  std::size_t record_bytes_ = 0;
+  std::size_t size_ = 0;
+  bool has_normals_ = false;
+  std::vector<std::byte> records_;
+};
+
+}  // namespace pds

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/vtk_writer.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkObject.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSTLWriter.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <initializer_list>
+
+namespace pds
+{
+
+namespace
+{
+
+using Names = std::initializer_list<const char*>;
+
+int vtk_type(ScalarType type)
+{
+  switch (type) {
+    case ScalarType::int8:
+      return VTK_SIGNED_CHAR;
+    case ScalarType::uint8:
+      return VTK_UNSIGNED_CHAR;
+    case ScalarType::int16:
+      return VTK_SHORT;
+    case ScalarType::uint16:
+      return VTK_UNSIGNED_SHORT;
+    case ScalarType::int32:
+      return VTK_INT;
+    case ScalarType::uint32:
+      return VTK_UNSIGNED_INT;
+    case ScalarType::float32:
+      return VTK_FLOAT;
+    case ScalarType::float64:
+      break;
+  }
+  return VTK_DOUBLE;
+}
+
+/** One array of as many components as names; all these fields have the type of the first. */
+vtkSmartPointer<vtkDataArray> make_array(const PointTable& points, Names names)
+{
+  const ScalarType type = points.find(*names.begin())->type;
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(type)));
+  array->SetNumberOfComponents(static_cast<int>(names.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  int component = 0;
+  for (const char* name : names) {
+    const Field& field = *points.find(name);
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      array->SetComponent(static_cast<vtkIdType>(row), component, points.value(row, field));
+    }
+    ++component;
+  }
+  return array;
+}
+
+bool has_byte_colors(const PointTable& points)
+{
+  for (const char* name : {"red", "green", "blue"}) {
+    const Field* field = points.find(name);
+    if (!field || field->type != ScalarType::uint8) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_one_of(const std::string& name, Names names)
+{
+  for (const char* other : names) {
+    if (name == other) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void add_fields(const PointTable& points, vtkPointData& data)
+{
+  const bool has_colors = has_byte_colors(points);
+  if (points.has_normals()) {
+    const auto normals = make_array(points, {"nx", "ny", "nz"});
+    normals->SetName("Normals");
+    data.SetNormals(normals);
+  }
+  if (has_colors) {
+    const auto colors = make_array(points, {"red", "green", "blue"});
+    colors->SetName("RGB");
+    data.SetScalars(colors);
+  }
+  for (const Field& field : points.fields()) {
+    const bool is_done = is_one_of(field.name, {"x", "y", "z"}) ||
+                         (points.has_normals() && is_one_of(field.name, {"nx", "ny", "nz"})) ||
+                         (has_colors && is_one_of(field.name, {"red", "green", "blue"}));
+    if (!is_done) {
+      const auto array = make_array(points, {field.name.c_str()});
+      array->SetName(field.name.c_str());
+      data.AddArray(array);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> make_poly_data(const PointTable& points, const Triangles& triangles)
+{
+  vtkNew<vtkPoints> positions;
+  positions->SetData(make_array(points, {"x", "y", "z"}));
+  vtkNew<vtkCellArray> faces;
+  for (const auto& triangle : triangles) {
+    const std::array<vtkIdType, 3> corners = {triangle[0], triangle[1], triangle[2]};
+    faces->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(positions);
+  mesh->SetPolys(faces);
+  add_fields(points, *mesh->GetPointData());
+  return mesh;
+}
+
+bool write_file(const std::string& path, const std::string& extension, vtkPolyData* mesh, bool ascii)
+{
+  const auto run = [&](auto& writer) {
+    writer.SetInputData(mesh);
+    writer.SetFileName(path.c_str());
+    return writer.Write() != 0;
+  };
+  if (extension == ".obj") {
+    vtkNew<vtkOBJWriter> writer;
+    return run(*writer);
+  }
+  if (extension == ".vtp") {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    ascii ? writer->SetDataModeToAscii() : writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    return run(*writer);
+  }
+  const int file_type = ascii ? VTK_ASCII : VTK_BINARY;
+  if (extension == ".stl") {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileType(file_type);
+    return run(*writer);
+  }
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetFileType(file_type);
+  return run(*writer);
+}
+
+/** A file in memory: not all of VTK's writers notice that a disk is full, so none of them writes to one. */
+class MemoryFile
+{
+ public:
+  MemoryFile() : descriptor_(memfd_create("mesh", MFD_CLOEXEC))
+  {
+    if (descriptor_ < 0) {
+      throw OutputError(std::string("the mesh cannot be laid out in memory (") + std::strerror(errno) +
+                        "); write .ply, which does without");
+    }
+  }
+  ~MemoryFile() { close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+  void copy_to(AtomicFile& file) const
+  {
+    std::array<char, 1 << 16> block;
+    lseek(descriptor_, 0, SEEK_SET);
+    for (ssize_t size = 0; (size = read(descriptor_, block.data(), block.size())) > 0;) {
+      file.write(block.data(), static_cast<std::size_t>(size));
+    }
+  }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+void write_with_vtk(
+    AtomicFile& file, const std::string& extension, const PointTable& points, const Triangles& triangles, bool ascii)
+{
+  vtkObject::GlobalWarningDisplayOff();  // what goes wrong is reported by the caller, in one line
+  const MemoryFile memory;
+  if (!write_file(memory.path(), extension, make_poly_data(points, triangles), ascii)) {
+    throw OutputError("the mesh cannot be written as " + extension +
+                      ": VTK failed, perhaps for want of memory; write .ply");
+  }
+  memory.copy_to(file);
+}
+
+}  // namespace pds

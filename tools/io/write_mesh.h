@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/ply_writer.h"
+
+#include <string>
+#include <vector>
+
+namespace pds
+{
+
+/** \brief The extensions that write_mesh takes in this build; all but .ply need VTK. */
+[[nodiscard]] std::vector<std::string> mesh_extensions();
+
+/** \brief What the format of \a extension cannot hold of these points, as the end of a sentence; empty if nothing. */
+[[nodiscard]] std::string lost_in_format(const std::string& extension, const PointTable& points, bool ascii);
+
+/** \brief Writes a mesh in the format of \a extension, one of mesh_extensions().
+ * \param ascii text instead of binary where the format has both
+ * \throws OutputError if the file cannot be written
+ */
+void write_mesh(
+    AtomicFile& file, const std::string& extension, const PointTable& points, const Triangles& triangles, bool ascii);
+
+}  // namespace pds

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "option_table.h"
+
+#include "io/text_scanner.h"
+#include "io/write_mesh.h"
+
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+
+namespace pds
+{
+
+namespace
+{
+
+template <typename Number>
+std::string print_number(Number number)
+{
+  constexpr std::size_t longest_number = 32;
+  char digits[longest_number];
+  return std::string(digits, std::to_chars(digits, digits + longest_number, number).ptr);
+}
+
+template <typename Number>
+OptionRow number(std::string name, char letter, std::string argument, std::string help, Number Options::*member)
+{
+  const auto set = [member](CommandLine& command_line, const std::string& text) {
+    Number& value = command_line.options.*member;
+    if (!parse_number(text, value)) {
+      return false;
+    }
+    if constexpr (std::is_floating_point_v<Number>) {
+      return std::isfinite(value);
+    }
+    return true;
+  };
+  const auto get = [member](const CommandLine& command_line) { return print_number(command_line.options.*member); };
+  help += " (default " + get(CommandLine()) + ")";
+  return {std::move(name), letter, std::move(argument), std::move(help), set, get};
+}
+
+OptionRow file(
+    std::string name, std::string argument, std::string help, std::string CommandLine::*member, bool is_saved)
+{
+  const auto set = [member](CommandLine& command_line, const std::string& text) {
+    command_line.*member = text;
+    return !text.empty();
+  };
+  std::function<std::string(const CommandLine&)> get;
+  if (is_saved) {
+    get = [member](const CommandLine& command_line) { return command_line.*member; };
+  }
+  return {std::move(name), 0, std::move(argument), std::move(help), set, get};
+}
+
+bool parse_switch(const std::string& text, bool& value)
+{
+  value = text == "true";
+  return value || text == "false";
+}
+
+OptionRow verbosity(std::string name, std::string help, Verbosity level)
+{
+  const auto set = [level](CommandLine& command_line, const std::string& text) {
+    bool is_on = false;
+    const bool understood = parse_switch(text, is_on);
+    if (is_on) {
+      command_line.verbosity = level;
+    }
+    return understood;
+  };
+  const auto get = [level](const CommandLine& command_line) {
+    return std::string(command_line.verbosity == level ? "true" : "false");
+  };
+  const char letter = name.front();
+  return {std::move(name), letter, "", std::move(help), set, get};
+}
+
+OptionRow ascii_switch()
+{
+  const auto set = [](CommandLine& command_line, const std::string& text) {
+    return parse_switch(text, command_line.ascii);
+  };
+  const auto get = [](const CommandLine& command_line) { return std::string(command_line.ascii ? "true" : "false"); };
+  return {"ascii", 0, "", "write text where OUTPUT's format has both text and binary", set, get};
+}
+
+std::vector<OptionRow> make_table()
+{
+  return {
+      number("k-neighbors", 'k', "N", "neighbours per point, 4 ... 200", &Options::k_neighbors),
+      number("radius-factor", 'f', "X", "radius of a disk in sampling intervals, 1.5 ... 1000",
+             &Options::radius_factor),
+      number("radius", 'r', "R", "radius of a disk in the unit of INPUT, instead of -f; 0: by -f", &Options::radius),
+      number("adaptive", 'a', "C", "curvature coefficient, 0 ... 2; 0: uniform", &Options::adaptive),
+      number("voronoi-threshold", 0, "X", "witness points: difference of distances in radii, 0 ... 1",
+             &Options::voronoi_threshold),
+      number("hole-size", 0, "X", "perimeter limit of filled holes in radii; 0: Voronoi dual triangles only",
+             &Options::hole_size),
+      number("threads", 'j', "N", "worker threads; 0: all cores. The mesh does not depend on it", &Options::threads),
+      number("seed", 0, "N", "picks one of the equally valid samplings", &Options::seed),
+      ascii_switch(),
+      file("report", "FILE.json", "write counts, topology certificate and times", &CommandLine::report_file, true),
+      file("voronoi", "FILE.ply", "write the cloud with label, distance, witness and seed fields",
+           &CommandLine::voronoi_file, true),
+      file("save-config", "FILE.ini", "write these options for --config", &CommandLine::config_to_save, false),
+      verbosity("quiet", "print errors only", Verbosity::quiet),
+      verbosity("verbose", "print the options and the seconds of each stage", Verbosity::detailed),
+  };
+}
+
+std::string help_line(char letter, const std::string& name, const std::string& argument, const std::string& help)
+{
+  constexpr std::size_t help_column = 32;
+  std::string line = letter != 0 ? std::string("  -") + letter + ", --" : "      --";
+  line += name + (argument.empty() ? "" : "=" + argument);
+  line.resize(std::max(line.size() + 2, help_column), ' ');
+  return line + help + "\n";
+}
+
+}  // namespace
+
+const std::vector<OptionRow>& option_table()
+{
+  static const std::vector<OptionRow> table = make_table();
+  return table;
+}
+
+std::string help_text()
+{
+  std::string formats;
+  for (const std::string& extension : mesh_extensions()) {
+    formats += " " + extension;
+  }
+  std::string text =
+      "Usage: pcl_pds_recon [OPTION]... INPUT OUTPUT\n"
+      "Turn the point cloud INPUT into an oriented manifold triangle mesh OUTPUT by Poisson-disk sampling.\n\n"
+      "INPUT is a .pcd .ply .obj .xyz .txt or .csv file; OUTPUT ends in one of" +
+      formats + ".\n\nOptions:\n";
+  for (const OptionRow& row : option_table()) {
+    text += help_line(row.letter, row.name, row.argument, row.help);
+  }
+  text += help_line(0, "config", "FILE.ini", "read options from a file; the command line wins");
+  text += help_line('h', "help", "", "print this help and exit");
+  text += help_line(0, "version", "", "print the version and exit");
+  return text +
+         "\nExamples:\n"
+         "  pcl_pds_recon scan.ply mesh.ply\n"
+         "  pcl_pds_recon -k 30 -a 0.25 --report mesh.json scan.pcd mesh.vtp\n"
+         "  pcl_pds_recon --config config/dragon.ini dragon.ply mesh.ply\n"
+         "\nExit status:\n"
+         "  0  OUTPUT is complete\n"
+         "  1  INPUT or a file to be written is at fault; nothing was written\n"
+         "  2  the command line or the configuration file is at fault\n";
+}
+
+}  // namespace pds

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace pds
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json seconds_json(const StageSeconds& seconds)
+{
+  return {{"load", seconds.load},         {"neighbors", seconds.neighbors}, {"weights", seconds.weights},
+          {"sampling", seconds.sampling}, {"voronoi", seconds.voronoi},     {"seed_graph", seconds.seed_graph},
+          {"faces", seconds.faces},       {"holes", seconds.holes},         {"orientation", seconds.orientation},
+          {"save", seconds.save},         {"total", seconds.total}};
+}
+
+}  // namespace
+
+std::string to_json(const Report& report)
+{
+  const Json json = {{"input_points", report.input_points},
+                     {"valid_points", report.valid_points},
+                     {"k", report.k},
+                     {"sampling_interval", report.sampling_interval},
+                     {"radius", report.radius},
+                     {"seeds", report.seeds},
+                     {"vertices", report.vertices},
+                     {"faces", report.faces},
+                     {"edges", report.edges},
+                     {"components", report.components},
+                     {"boundary_loops", report.boundary_loops},
+                     {"nonmanifold_edges", report.nonmanifold_edges},
+                     {"nonmanifold_vertices", report.nonmanifold_vertices},
+                     {"inconsistent_edges", report.inconsistent_edges},
+                     {"euler", report.euler},
+                     {"closed", report.closed},
+                     {"orientable", report.orientable},
+                     {"filled_holes", report.filled_holes},
+                     {"merged_points", report.merged_points},
+                     {"refined_seeds", report.refined_seeds},
+                     {"min_seed_distance", report.min_seed_distance},
+                     {"coverage_radius", report.coverage_radius},
+                     {"threads", report.threads},
+                     {"seconds", seconds_json(report.seconds)},
+                     {"peak_rss_bytes", report.peak_rss_bytes},
+                     {"version", report.version}};
+  constexpr int indent = 2;
+  return json.dump(indent) + "\n";
+}
+
+}  // namespace pds
