@@ -117,7 +117,9 @@ void check_output_names(const CommandLine& command_line)
   const std::vector<std::string> extensions = mesh_extensions();
   const std::string extension = file_extension(command_line.output);
   if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
-    throw UsageError(command_line.output + ": cannot write a mesh as '" + extension + "'; use " +
+    const bool lacks_vtk = extension == ".vtk" || extension == ".vtp";
+    throw UsageError(command_line.output + ": cannot write a mesh as '" + extension + "'" +
+                     (lacks_vtk ? " in this build without VTK" : "") + "; use " +
                      boost::algorithm::join(extensions, ", "));
   }
   if (!command_line.voronoi_file.empty() && file_extension(command_line.voronoi_file) != ".ply") {

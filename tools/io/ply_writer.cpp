@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/ply_writer.h"
 
+#include "io/ascii_writer.h"
+
 #include <boost/endian/conversion.hpp>
-#include <charconv>
 #include <cstring>
 #include <string>
 
@@ -28,43 +29,6 @@ std::string header(const PointTable& points, std::size_t face_count, bool ascii)
   return text + "end_header\n";
 }
 
-/** Gathers numbers, one line a record, and hands them on in blocks. */
-class AsciiWriter
-{
- public:
-  explicit AsciiWriter(AtomicFile& file) : file_(file) { text_.reserve(2 * block_bytes); }
-
-  template <typename Number>
-  void append(Number number)
-  {
-    constexpr std::size_t longest_number = 32;  // "-2.2250738585072014e-308" and a blank
-    char digits[longest_number];
-    const auto end = std::to_chars(digits, digits + longest_number, number).ptr;
-    text_.append(digits, end);
-    text_ += ' ';
-  }
-
-  void end_line()
-  {
-    text_.back() = '\n';
-    if (text_.size() >= block_bytes) {
-      flush();
-    }
-  }
-
-  void flush()
-  {
-    file_.write(text_.data(), text_.size());
-    text_.clear();
-  }
-
- private:
-  static constexpr std::size_t block_bytes = 1 << 16;
-
-  AtomicFile& file_;
-  std::string text_;
-};
-
 void write_ascii_body(AtomicFile& file, const PointTable& points, const Triangles& triangles)
 {
   AsciiWriter writer(file);
@@ -72,15 +36,15 @@ void write_ascii_body(AtomicFile& file, const PointTable& points, const Triangle
     for (const Field& field : points.fields()) {
       visit_scalar(field.type, [&](auto scalar) {
         std::memcpy(&scalar, points.record(row) + field.offset, sizeof scalar);
-        writer.append(scalar);
+        writer.append_number(scalar);
       });
     }
     writer.end_line();
   }
   for (const auto& triangle : triangles) {
-    writer.append(3);
+    writer.append_number(3);
     for (const std::uint32_t vertex : triangle) {
-      writer.append(vertex);
+      writer.append_number(vertex);
     }
     writer.end_line();
   }

@@ -18,6 +18,7 @@ namespace
 using Triple = std::array<const char*, 3>;
 constexpr Triple position_names = {"x", "y", "z"};
 constexpr Triple normal_names = {"nx", "ny", "nz"};
+constexpr Triple color_names = {"red", "green", "blue"};
 
 auto find_field(std::vector<Field>& fields, const char* name)
 {
@@ -108,6 +109,14 @@ const Field* PointTable::find(const std::string& name) const
   const auto found =
       std::find_if(fields_.begin(), fields_.end(), [&name](const Field& field) { return field.name == name; });
   return found == fields_.end() ? nullptr : &*found;
+}
+
+bool PointTable::has_byte_colors() const
+{
+  return std::all_of(color_names.begin(), color_names.end(), [this](const char* name) {
+    const Field* field = find(name);
+    return field && field->type == ScalarType::uint8;
+  });
 }
 
 double PointTable::value(std::size_t i, const Field& field) const

@@ -93,6 +93,7 @@ class PointTable
 
   [[nodiscard]] bool has_double_positions() const { return fields_.front().type == ScalarType::float64; }
   [[nodiscard]] bool has_normals() const { return has_normals_; }
+  [[nodiscard]] bool has_byte_colors() const;  ///< red, green and blue, each uchar
 
   /** \brief Where the sensor stood, if the file says so. */
   std::optional<Eigen::Vector3d> sensor_origin;

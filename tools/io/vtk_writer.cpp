@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/vtk_writer.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
-#include <vtkOBJWriter.h>
 #include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
-#include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <initializer_list>
 
 namespace pds
@@ -69,17 +63,6 @@ vtkSmartPointer<vtkDataArray> make_array(const PointTable& points, Names names)
   return array;
 }
 
-bool has_byte_colors(const PointTable& points)
-{
-  for (const char* name : {"red", "green", "blue"}) {
-    const Field* field = points.find(name);
-    if (!field || field->type != ScalarType::uint8) {
-      return false;
-    }
-  }
-  return true;
-}
-
 bool is_one_of(const std::string& name, Names names)
 {
   for (const char* other : names) {
@@ -92,7 +75,7 @@ bool is_one_of(const std::string& name, Names names)
 
 void add_fields(const PointTable& points, vtkPointData& data)
 {
-  const bool has_colors = has_byte_colors(points);
+  const bool has_colors = points.has_byte_colors();
   if (points.has_normals()) {
     const auto normals = make_array(points, {"nx", "ny", "nz"});
     normals->SetName("Normals");
@@ -131,63 +114,37 @@ vtkSmartPointer<vtkPolyData> make_poly_data(const PointTable& points, const Tria
   return mesh;
 }
 
-bool write_file(const std::string& path, const std::string& extension, vtkPolyData* mesh, bool ascii)
+[[noreturn]] void throw_failed()
 {
-  const auto run = [&](auto& writer) {
-    writer.SetInputData(mesh);
-    writer.SetFileName(path.c_str());
-    return writer.Write() != 0;
-  };
-  if (extension == ".obj") {
-    vtkNew<vtkOBJWriter> writer;
-    return run(*writer);
-  }
-  if (extension == ".vtp") {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    ascii ? writer->SetDataModeToAscii() : writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
-    return run(*writer);
-  }
-  const int file_type = ascii ? VTK_ASCII : VTK_BINARY;
-  if (extension == ".stl") {
-    vtkNew<vtkSTLWriter> writer;
-    writer->SetFileType(file_type);
-    return run(*writer);
-  }
-  vtkNew<vtkPolyDataWriter> writer;
-  writer->SetFileType(file_type);
-  return run(*writer);
+  throw OutputError("the mesh cannot be laid out in memory for VTK's format; write .ply, which does without");
 }
 
-/** A file in memory: not all of VTK's writers notice that a disk is full, so none of them writes to one. */
-class MemoryFile
+void write_vtp(AtomicFile& file, vtkPolyData* mesh, bool ascii)
 {
- public:
-  MemoryFile() : descriptor_(memfd_create("mesh", MFD_CLOEXEC))
-  {
-    if (descriptor_ < 0) {
-      throw OutputError(std::string("the mesh cannot be laid out in memory (") + std::strerror(errno) +
-                        "); write .ply, which does without");
-    }
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  if (ascii) {
+    writer->SetDataModeToAscii();
   }
-  ~MemoryFile() { close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
-  void copy_to(AtomicFile& file) const
-  {
-    std::array<char, 1 << 16> block;
-    lseek(descriptor_, 0, SEEK_SET);
-    for (ssize_t size = 0; (size = read(descriptor_, block.data(), block.size())) > 0;) {
-      file.write(block.data(), static_cast<std::size_t>(size));
-    }
+  writer->SetInputData(mesh);
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) {
+    throw_failed();
   }
+  const std::string text = writer->GetOutputString();
+  file.write(text.data(), text.size());
+}
 
- private:
-  int descriptor_;
-};
+void write_legacy_vtk(AtomicFile& file, vtkPolyData* mesh, bool ascii)
+{
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetFileType(ascii ? VTK_ASCII : VTK_BINARY);
+  writer->SetInputData(mesh);
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) {
+    throw_failed();
+  }
+  file.write(writer->GetOutputString(), static_cast<std::size_t>(writer->GetOutputStringLength()));
+}
 
 }  // namespace
 
@@ -195,12 +152,9 @@ void write_with_vtk(
     AtomicFile& file, const std::string& extension, const PointTable& points, const Triangles& triangles, bool ascii)
 {
   vtkObject::GlobalWarningDisplayOff();  // what goes wrong is reported by the caller, in one line
-  const MemoryFile memory;
-  if (!write_file(memory.path(), extension, make_poly_data(points, triangles), ascii)) {
-    throw OutputError("the mesh cannot be written as " + extension +
-                      ": VTK failed, perhaps for want of memory; write .ply");
-  }
-  memory.copy_to(file);
+  const auto mesh = make_poly_data(points, triangles);
+  // To memory, because the XML writer does not notice that the disk is full.
+  (extension == ".vtp" ? write_vtp : write_legacy_vtk)(file, mesh, ascii);
 }
 
 }  // namespace pds

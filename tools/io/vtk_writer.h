@@ -8,7 +8,7 @@
 namespace pds
 {
 
-/** \brief Writes .obj, .stl, .vtk or .vtp. In the last two every field is a named array of the points.
+/** \brief Writes .vtk or .vtp. Every field is a named array of the points; colours are RGB, normals Normals.
  * \throws OutputError if the file cannot be written
  */
 void write_with_vtk(

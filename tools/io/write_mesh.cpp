@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/write_mesh.h"
 
+#include "io/obj_writer.h"
+#include "io/stl_writer.h"
+
+#include <algorithm>
+
 #ifdef PCL_PDS_RECON_WITH_VTK
 #include "io/vtk_writer.h"
 #endif
@@ -8,30 +13,43 @@
 namespace pds
 {
 
+namespace
+{
+
+bool is_held(const std::string& extension, const PointTable& points, const std::string& name)
+{
+  const auto is_one_of = [&name](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const bool holds_positions_only = extension == ".stl";
+  const bool holds_attributes = extension != ".stl" && extension != ".obj";
+  return holds_attributes || is_one_of({"x", "y", "z"}) ||
+         (!holds_positions_only && points.has_normals() && is_one_of({"nx", "ny", "nz"})) ||
+         (!holds_positions_only && points.has_byte_colors() && is_one_of({"red", "green", "blue"}));
+}
+
+}  // namespace
+
 std::vector<std::string> mesh_extensions()
 {
 #ifdef PCL_PDS_RECON_WITH_VTK
   return {".ply", ".obj", ".stl", ".vtk", ".vtp"};
 #else
-  return {".ply"};
+  return {".ply", ".obj", ".stl"};
 #endif
 }
 
 std::string lost_in_format(const std::string& extension, const PointTable& points, bool ascii)
 {
-  const bool is_stl = extension == ".stl";
   std::string lost;
-  if (is_stl || extension == ".obj") {
-    for (const Field& field : points.fields()) {
-      const bool is_position = field.name == "x" || field.name == "y" || field.name == "z";
-      const bool is_normal = field.name == "nx" || field.name == "ny" || field.name == "nz";
-      const bool is_held = is_position || (is_normal && points.has_normals() && !is_stl);
-      lost += is_held ? "" : (lost.empty() ? "the fields " : " ") + field.name;
+  for (const Field& field : points.fields()) {
+    if (!is_held(extension, points, field.name)) {
+      lost += (lost.empty() ? "the fields " : " ") + field.name;
     }
   }
-  const bool rounds = points.has_double_positions() && (is_stl || (extension == ".vtk" && ascii));
-  if (rounds) {
-    lost += std::string(lost.empty() ? "" : " and ") + "the last digits of double coordinates";
+  const bool rounds_all = extension == ".vtk" && ascii;
+  if (rounds_all || (extension == ".stl" && points.has_double_positions())) {
+    lost += std::string(lost.empty() ? "" : " and ") + "the last digits of the coordinates";
   }
   return lost;
 }
@@ -41,13 +59,17 @@ void write_mesh(
 {
   if (extension == ".ply") {
     write_ply(file, points, triangles, ascii);
-    return;
-  }
+  } else if (extension == ".obj") {
+    write_obj(file, points, triangles);
+  } else if (extension == ".stl") {
+    write_stl(file, points, triangles, ascii);
+  } else {
 #ifdef PCL_PDS_RECON_WITH_VTK
-  write_with_vtk(file, extension, points, triangles, ascii);
+    write_with_vtk(file, extension, points, triangles, ascii);
 #else
-  throw OutputError("this build has no VTK and writes no '" + extension + "'; write .ply");
+    throw OutputError("this build has no VTK and cannot write '" + extension + "'; write .ply");
 #endif
+  }
 }
 
 }  // namespace pds

@@ -9,7 +9,7 @@
 namespace pds
 {
 
-/** \brief The extensions that write_mesh takes in this build; all but .ply need VTK. */
+/** \brief The extensions that write_mesh takes in this build; .vtk and .vtp need VTK. */
 [[nodiscard]] std::vector<std::string> mesh_extensions();
 
 /** \brief What the format of \a extension cannot hold of these points, as the end of a sentence; empty if nothing. */

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/obj_writer.h"
+
+#include "io/ascii_writer.h"
+
+#include <cstring>
+#include <initializer_list>
+#include <string>
+
+namespace pds
+{
+
+namespace
+{
+
+constexpr double greatest_color = 255;  // of a byte; OBJ has colours in 0 ... 1
+
+void append_fields(AsciiWriter& writer,
+                   const PointTable& points,
+                   std::size_t row,
+                   std::initializer_list<const char*> names)
+{
+  for (const char* name : names) {
+    const Field& field = *points.find(name);
+    visit_scalar(field.type, [&](auto scalar) {
+      std::memcpy(&scalar, points.record(row) + field.offset, sizeof scalar);
+      writer.append_number(scalar);
+    });
+  }
+}
+
+}  // namespace
+
+void write_obj(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+{
+  AsciiWriter writer(file);
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    writer.append("v");
+    append_fields(writer, points, row, {"x", "y", "z"});
+    if (points.has_byte_colors()) {
+      for (const char* channel : {"red", "green", "blue"}) {
+        writer.append_number(points.value(row, *points.find(channel)) / greatest_color);
+      }
+    }
+    writer.end_line();
+  }
+  for (std::size_t row = 0; row < points.size() && points.has_normals(); ++row) {
+    writer.append("vn");
+    append_fields(writer, points, row, {"nx", "ny", "nz"});
+    writer.end_line();
+  }
+  for (const auto& triangle : triangles) {
+    writer.append("f");
+    for (const std::uint32_t vertex : triangle) {
+      const std::string number = std::to_string(vertex + 1);  // OBJ counts from 1
+      writer.append(points.has_normals() ? number + "//" + number : number);
+    }
+    writer.end_line();
+  }
+  writer.flush();
+}
+
+}  // namespace pds

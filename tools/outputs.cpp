@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outputs.h"
+
+#include "io/atomic_file.h"
+#include "io/file_extension.h"
+#include "io/write_mesh.h"
+#include "report_json.h"
+#include "voronoi_table.h"
+
+#include <optional>
+
+namespace pds
+{
+
+namespace
+{
+
+void write_text(AtomicFile& file, const std::string& text)
+{
+  file.write(text.data(), text.size());
+  file.finish();
+}
+
+}  // namespace
+
+void check_outputs(const CommandLine& command_line)
+{
+  for (const auto& path :
+       {command_line.output, command_line.report_file, command_line.voronoi_file, command_line.config_to_save}) {
+    if (!path.empty()) {
+      check_writable(path);
+    }
+  }
+}
+
+void save_config(const CommandLine& command_line)
+{
+  AtomicFile file(command_line.config_to_save);
+  write_text(file, to_config(command_line));
+  file.commit();
+}
+
+void save_outputs(const CommandLine& command_line,
+                  const PointTable& points,
+                  Reconstruction& result,
+                  const std::function<void(Report&)>& complete_report)
+{
+  AtomicFile mesh_file(command_line.output);
+  const PointTable vertices = points.select(result.seeds, result.report.vertices);
+  write_mesh(mesh_file, file_extension(command_line.output), vertices, result.triangles, command_line.ascii);
+  mesh_file.finish();
+  std::optional<AtomicFile> voronoi_file;
+  if (!command_line.voronoi_file.empty()) {
+    voronoi_file.emplace(command_line.voronoi_file);
+    write_ply(*voronoi_file, make_voronoi_table(points, result), {}, command_line.ascii);
+    voronoi_file->finish();
+  }
+  complete_report(result.report);
+  std::optional<AtomicFile> report_file;
+  if (!command_line.report_file.empty()) {
+    report_file.emplace(command_line.report_file);
+    write_text(*report_file, to_json(result.report));
+  }
+
+  mesh_file.commit();
+  for (auto* file : {&voronoi_file, &report_file}) {
+    if (*file) {
+      (*file)->commit();
+    }
+  }
+}
+
+std::string loss_warning(const CommandLine& command_line, const PointTable& points)
+{
+  const std::string extension = file_extension(command_line.output);
+  const std::string lost = lost_in_format(extension, points, command_line.ascii);
+  return lost.empty() ? "" : command_line.output + ": " + extension + " cannot hold " + lost + "; binary .ply can";
+}
+
+}  // namespace pds

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "command_line.h"
+#include "io/point_table.h"
+
+#include <pcl_pds_recon/reconstruction.h>
+
+#include <functional>
+
+namespace pds
+{
+
+/** \brief Checks before the work that every file to be written can be. \throws OutputError */
+void check_outputs(const CommandLine& command_line);
+
+/** \brief Writes the configuration file of --save-config. \throws OutputError */
+void save_config(const CommandLine& command_line);
+
+/** \brief Writes the mesh and, if asked for, the Voronoi cells and the report: either all appear or none.
+ * \param complete_report called when the meshes are written, to enter what is known only then
+ * \throws OutputError
+ */
+void save_outputs(const CommandLine& command_line,
+                  const PointTable& points,
+                  Reconstruction& result,
+                  const std::function<void(Report&)>& complete_report);
+
+/** \brief What the mesh's format cannot hold of these points, as a sentence; empty if nothing. */
+[[nodiscard]] std::string loss_warning(const CommandLine& command_line, const PointTable& points);
+
+}  // namespace pds
