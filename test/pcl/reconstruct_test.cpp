@@ -35,6 +35,8 @@ TEST(PoissonDiskReconstruction, BothOverloadsDescribeTheSameTriangles)
 TEST(PoissonDiskReconstruction, MeshHoldsTheSeedsAndNothingElse)
 {
   const auto cloud = makeSphere<PointXYZ>();
+  cloud->push_back(PointXYZ(std::nanf(""), 0.0f, 0.0f));
+  cloud->is_dense = false;
   Reconstruction reconstruction;
   reconstruction.setInputCloud(cloud);
   pcl::PolygonMesh mesh;
@@ -110,7 +112,8 @@ TEST(PoissonDiskReconstruction, WorksThroughPointersToItsBases)
 {
   const auto cloud = makeSphere<PointXYZ>();
   const Outcome expected = reconstructFresh<PointXYZ>(cloud);
-  const pcl::MeshConstruction<PointXYZ>::Ptr base(new Reconstruction);
+  using Base = pcl::MeshConstruction<PointXYZ>;
+  const Base::Ptr base(new Reconstruction);
   base->setInputCloud(cloud);
   std::vector<pcl::Vertices> polygons;
   base->reconstruct(polygons);
@@ -119,6 +122,12 @@ TEST(PoissonDiskReconstruction, WorksThroughPointersToItsBases)
   pcl::PolygonMesh mesh;
   static_cast<pcl::PCLSurfaceBase<PointXYZ>&>(*base).reconstruct(mesh);
   EXPECT_EQ(renumbered(triangles(mesh.polygons), expected.seeds), expected.mesh);
+
+  // By its full name the base's own function runs, which prepares the output in another way and may choose a tree.
+  mesh.polygons = stalePolygons();
+  base->Base::reconstruct(mesh);
+  EXPECT_EQ(renumbered(triangles(mesh.polygons), expected.seeds), expected.mesh);
+  EXPECT_EQ(base->getSearchMethod(), nullptr);
 }
 
 TEST(PoissonDiskReconstruction, ReuseEqualsAFreshObject)
@@ -136,7 +145,19 @@ TEST(PoissonDiskReconstruction, ReuseEqualsAFreshObject)
   }
 }
 
-// The copy shares the indices that the base class makes up; clouds of different size would make both resize them.
+// Copies share the indices that the base class makes up and resizes in place.
+TEST(PoissonDiskReconstruction, ACopiedObjectDoesNotTouchTheIndicesOfTheOther)
+{
+  Reconstruction first;
+  first.setInputCloud(makeSphere<PointXYZ>(3000));
+  reconstruct(first);
+  Reconstruction second = first;
+  second.setInputCloud(makeSphere<PointXYZ>(2000));
+  reconstruct(second);
+  EXPECT_EQ(first.getIndices()->size(), 3000u);
+  EXPECT_EQ(second.getIndices()->size(), 2000u);
+}
+
 TEST(PoissonDiskReconstruction, TwoThreadsAndACopiedObjectDoNotDisturbEachOther)
 {
   const auto sphere = makeSphere<PointXYZ>();

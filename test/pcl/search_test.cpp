@@ -22,7 +22,8 @@ enum class Manner
   plain,
   reversed,          ///< farthest neighbour first
   short_of_k,        ///< never more than 10 neighbours
-  out_of_selection,  ///< adds points that do not exist, that are invalid, or that do not take part
+  padded,            ///< the same, filled up with zeros to the number asked for
+  out_of_selection,  ///< adds points that do not exist, are invalid, or do not take part
   throwing
 };
 
@@ -46,15 +47,16 @@ class RecordingSearch : public pcl::search::KdTree<PointXYZ>
   {
     ++queries;
     if (manner_ == Manner::throwing) throw std::runtime_error("the search failed");
-    const int limit = manner_ == Manner::short_of_k ? std::min(k, 10) : k;
+    const bool is_short = manner_ == Manner::short_of_k || manner_ == Manner::padded;
+    const int limit = is_short ? std::min(k, 10) : k;
     const int count = Base::nearestKSearch(point, limit, found, distances);
     if (manner_ == Manner::reversed) {
       std::reverse(found.begin(), found.end());
       std::reverse(distances.begin(), distances.end());
     }
+    if (manner_ == Manner::padded) found.resize(static_cast<std::size_t>(k), 0);
     if (manner_ != Manner::out_of_selection) return count;
     found.insert(found.begin(), strangers.begin(), strangers.end());
-    found.push_back(std::numeric_limits<pcl::index_t>::max());  // beyond the count that is reported
     return count + static_cast<int>(strangers.size());
   }
 
@@ -121,6 +123,17 @@ TEST(PoissonDiskReconstructionSearch, FewerNeighboursThanAskedForWillDo)
   EXPECT_EQ(reconstruction.getStatus(), PoissonDiskStatus::success);
   EXPECT_GT(search->queries, 0u);
   expectSurface(polygons);
+}
+
+TEST(PoissonDiskReconstructionSearch, EntriesBeyondTheReportedCountAreNotNeighbours)
+{
+  const auto cloud = makeSphere<PointXYZ>();
+  Reconstruction reconstruction;
+  reconstruction.setInputCloud(cloud);
+  reconstruction.setSearchMethod(RecordingSearchPtr(new RecordingSearch(Manner::short_of_k)));
+  const Outcome expected = reconstruct(reconstruction);
+  reconstruction.setSearchMethod(RecordingSearchPtr(new RecordingSearch(Manner::padded)));
+  EXPECT_TRUE(reconstruct(reconstruction) == expected);
 }
 
 TEST(PoissonDiskReconstructionSearch, PointsThatDoNotTakePartAreIgnored)

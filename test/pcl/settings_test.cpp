@@ -31,6 +31,20 @@ TEST(PoissonDiskReconstruction, ReportsMissingInput)
   EXPECT_TRUE(polygons.empty());
 }
 
+TEST(PoissonDiskReconstruction, MissingInputLeavesNoResultOfTheRunBefore)
+{
+  Reconstruction reconstruction;
+  reconstruction.setInputCloud(makeSphere<PointXYZ>());
+  std::vector<pcl::Vertices> polygons;
+  reconstruction.reconstruct(polygons);
+  ASSERT_FALSE(reconstruction.getSeedIndices().empty());
+  reconstruction.setInputCloud(nullptr);
+  reconstruction.reconstruct(polygons);
+  EXPECT_TRUE(polygons.empty());
+  EXPECT_TRUE(reconstruction.getSeedIndices().empty());
+  EXPECT_TRUE(reconstruction.getVoronoiLabels().empty());
+}
+
 TEST(PoissonDiskReconstruction, TooFewPointsGiveAnEmptyMesh)
 {
   for (const std::size_t size : {0u, 1u, 2u}) {

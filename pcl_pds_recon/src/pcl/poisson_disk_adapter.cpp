@@ -116,16 +116,6 @@ pds::Vector3View viewFields(const PointRecords& records, const FieldNames& names
   return {};
 }
 
-/** \brief Whether any normal was ever set: a point type with normals says nothing about that. */
-bool hasUsableNormal(const pds::Vector3View& normals, std::size_t size)
-{
-  for (std::size_t row = 0; row < size; ++row) {
-    const Eigen::Vector3d normal = normals[row];
-    if (normal.allFinite() && !normal.isZero(0.0)) return true;
-  }
-  return false;
-}
-
 /** \brief Order of rows by the bytes of their fields. Padding between fields is never initialised, so it is skipped. */
 std::function<bool(std::uint32_t, std::uint32_t)> recordOrder(const PointRecords& rows)
 {
@@ -147,21 +137,21 @@ std::function<bool(std::uint32_t, std::uint32_t)> recordOrder(const PointRecords
   };
 }
 
-/** \brief The user's search in terms of rows. Whatever it returns, only finite points that take part are passed on. */
+/** \brief The user's search in terms of rows; points that do not exist or do not take part are left out. */
 std::function<void(std::uint32_t, std::size_t, std::vector<std::uint32_t>&)> rowSearch(const NeighborSearch& search,
-                                                                                       const PointSelection& selection,
-                                                                                       pds::Vector3View positions)
+                                                                                       const PointSelection& selection)
 {
-  return [&search, &selection, positions, found = Indices()](std::uint32_t query, std::size_t count,
-                                                             std::vector<std::uint32_t>& neighbors) mutable {
+  return [&search, &selection, found = Indices()](std::uint32_t query, std::size_t count,
+                                                  std::vector<std::uint32_t>& neighbors) mutable {
     const auto point = static_cast<index_t>(selection.pointOfRow(query));
     const auto k = static_cast<int>(std::min(count, selection.rows().size));
     const int reported = search.nearest_k(point, k, found);
+    // Older search objects leave the vector at size k and fill it up with zeros.
     const std::size_t valid = std::min(found.size(), static_cast<std::size_t>(std::max(reported, 0)));
     neighbors.clear();
     for (std::size_t i = 0; i < valid; ++i) {
       const std::uint32_t row = selection.rowOfPoint(found[i]);
-      if (row != PointSelection::no_row && positions[row].allFinite()) neighbors.push_back(row);
+      if (row != PointSelection::no_row) neighbors.push_back(row);
     }
   };
 }
@@ -177,13 +167,12 @@ pds::PointCloudView makeView(const PointSelection& selection, const NeighborSear
   if (!view.positions) {
     throw pds::InvalidInput("the point type must hold x, y and z side by side, all float or all double");
   }
-  const pds::Vector3View normals = viewFields(rows, {"normal_x", "normal_y", "normal_z"});
-  if (normals && hasUsableNormal(normals, rows.size)) view.normals = normals;
+  view.normals = viewFields(rows, {"normal_x", "normal_y", "normal_z"});
   if (rows.sensor_origin.allFinite() && !rows.sensor_origin.isZero(0.0)) view.sensor_origin = rows.sensor_origin;
   view.record_less = recordOrder(rows);
   if (search) {
     search.set_input(selection.points());
-    view.neighbor_search = rowSearch(search, selection, view.positions);
+    view.neighbor_search = rowSearch(search, selection);
   }
   return view;
 }
