@@ -131,7 +131,8 @@ bool are_same_file(const std::string& a, const std::string& b)
 {
   namespace fs = std::filesystem;
   std::error_code error;
-  return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+  return fs::equivalent(a, b, error) ||
+         fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
 void check_files_differ(const CommandLine& command_line)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pcd_reader.h"
 
-#include "io/text_scanner.h"
+#include "io/pcd_check.h"
 
 #include <pcl_pds_recon/options.h>
 
@@ -18,89 +18,6 @@ namespace pds
 
 namespace
 {
-
-using Words = std::vector<std::string_view>;
-
-/** What the header says about the size of the body. */
-struct PcdSize
-{
-  std::uint64_t points = 0;
-  std::vector<std::uint64_t> scalar_bytes;
-  std::vector<std::uint64_t> scalar_counts;
-  std::string_view encoding;
-
-  [[nodiscard]] std::uint64_t record_bytes() const
-  {
-    std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < scalar_bytes.size(); ++i) {
-      bytes += scalar_bytes[i] * (i < scalar_counts.size() ? scalar_counts[i] : 1);
-    }
-    return bytes;
-  }
-};
-
-[[noreturn]] void throw_bad_header(const std::string& what)
-{
-  throw InvalidInput("is not a PCD file: its header " + what + "; write it again or check its extension");
-}
-
-std::uint64_t parse_size(std::string_view word, std::uint64_t greatest)
-{
-  std::uint64_t size = 0;
-  if (!parse_number(word, size) || size == 0 || size > greatest) {
-    throw_bad_header("has an impossible SIZE or COUNT");
-  }
-  return size;
-}
-
-PcdSize parse_size_of_body(std::string_view file, std::size_t& header_bytes)
-{
-  constexpr std::uint64_t greatest_scalar = 8;            // bytes of a double
-  constexpr std::uint64_t greatest_scalar_count = 65536;  // of one field; the longest feature histograms have 2000
-  PcdSize size;
-  TextScanner scanner(file);
-  std::string_view line;
-  Words words;
-  while (scanner.next_line(line)) {
-    split(line, " \t", words);
-    const std::string_view keyword = words.empty() ? std::string_view() : words.front();
-    if (keyword == "SIZE" || keyword == "COUNT") {
-      const bool is_size = keyword == "SIZE";
-      for (std::size_t i = 1; i < words.size(); ++i) {
-        (is_size ? size.scalar_bytes : size.scalar_counts)
-            .push_back(parse_size(words[i], is_size ? greatest_scalar : greatest_scalar_count));
-      }
-    } else if (keyword == "POINTS" && (words.size() != 2 || !parse_number(words[1], size.points))) {
-      throw_bad_header("has no number of POINTS");
-    } else if (keyword == "DATA" && words.size() == 2) {
-      size.encoding = words[1];
-      header_bytes = scanner.position();
-      return size;
-    }
-  }
-  throw_bad_header("has no line 'DATA'");
-}
-
-/** PCL asks for the memory that the header announces before it looks at the data. */
-void check_size(std::string_view file)
-{
-  // A match of LZF copies at most 264 bytes and takes three.
-  constexpr std::uint64_t greatest_compression = 88;
-  std::size_t header_bytes = 0;
-  const PcdSize size = parse_size_of_body(file, header_bytes);
-  const std::uint64_t body_bytes = file.size() - header_bytes;
-  if (size.scalar_bytes.empty()) {
-    throw_bad_header("has no SIZE");
-  }
-  const std::uint64_t least_ascii_bytes = 2 * size.scalar_bytes.size();  // a digit and a blank
-  const std::uint64_t least_record = size.encoding == "ascii" ? least_ascii_bytes : size.record_bytes();
-  // The last line of a text may lack its end.
-  const std::uint64_t capacity =
-      size.encoding == "binary_compressed" ? body_bytes * greatest_compression : body_bytes + 1;
-  if (size.points > capacity / least_record) {
-    throw InvalidInput("holds fewer data than its PCD header announces: the file is cut short; copy it again");
-  }
-}
 
 pcl::PCLPointCloud2 read_cloud(const std::string& path, std::optional<Eigen::Vector3d>& sensor_origin)
 {
@@ -231,7 +148,7 @@ void copy_scalar(
 
 PointTable read_pcd(const std::string& path, std::string_view file)
 {
-  check_size(file);
+  check_pcd(file);
   std::optional<Eigen::Vector3d> sensor_origin;
   const pcl::PCLPointCloud2 cloud = read_cloud(path, sensor_origin);
   const std::vector<Source> sources = list_sources(cloud);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/pcd_reader.h"
+
+#include "reader_testing.h"
+#include "temporary_directory.h"
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/io/pcd_io.h>
+
+namespace pds
+{
+namespace
+{
+
+using Values = std::vector<double>;
+
+std::string header(const std::string& fields, const std::string& points, const std::string& data)
+{
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + "WIDTH " + points +
+         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + points + "\nDATA " + data + "\n";
+}
+
+const std::string xyz = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
+
+class PcdReader : public TemporaryDirectory
+{
+ protected:
+  [[nodiscard]] PointTable parse(const std::string& file) const { return read_pcd(write("cloud.pcd", file), file); }
+  [[nodiscard]] std::string complaint_about(const std::string& file) const
+  {
+    return complaint([&] { return parse(file); });
+  }
+};
+
+TEST_F(PcdReader, unpacks_colors_and_keeps_the_other_fields)
+{
+  const PointTable table = parse(header("FIELDS x y z rgb intensity normal_x normal_y normal_z\nSIZE 4 4 4 4 4 4 4 4\n"
+                                        "TYPE F F F U F F F F\nCOUNT 1 1 1 1 1 1 1 1\n",
+                                        "1", "ascii") +
+                                 "1 2 3 16744703 0.1 0 0 1\n");  // 0xFF80FF
+  EXPECT_EQ(describe_fields(table),
+            "x:float y:float z:float nx:float ny:float nz:float red:uchar green:uchar blue:uchar intensity:float");
+  EXPECT_EQ(row_values(table, 0), (Values{1, 2, 3, 0, 0, 1, 255, 128, 255, static_cast<double>(0.1F)}));
+}
+
+TEST_F(PcdReader, reads_binary_doubles_padding_arrays_and_wide_integers)
+{
+  const std::string fields = "FIELDS x y z _ pair time\nSIZE 8 8 8 1 2 8\nTYPE F F F U I U\nCOUNT 1 1 1 3 2 1\n";
+  const std::string row = bytes_of(500000.001) + bytes_of(5234567.123) + bytes_of(1.0) + "abc" +
+                          bytes_of(std::int16_t{-5}) + bytes_of(std::int16_t{6}) + bytes_of(std::uint64_t{1} << 40);
+  const PointTable table = parse(header(fields, "2", "binary") + row + row);
+  EXPECT_EQ(describe_fields(table), "x:double y:double z:double pair_0:short pair_1:short time:double");
+  ASSERT_EQ(table.size(), 2U);
+  EXPECT_EQ(row_values(table, 1), (Values{500000.001, 5234567.123, 1, -5, 6, 1099511627776.0}));
+}
+
+TEST_F(PcdReader, reads_what_pcl_compressed)
+{
+  pcl::PCLPointCloud2 cloud;
+  const std::string ascii = write("ascii.pcd", header(xyz, "3", "ascii") + "1 2 3\n4 5 6\n7 8 0.1\n");
+  ASSERT_EQ(pcl::PCDReader().read(ascii, cloud), 0);
+  ASSERT_GE(pcl::PCDWriter().writeBinaryCompressed(path("compressed.pcd"), cloud), 0);
+  const PointTable table = read_pcd(path("compressed.pcd"), read("compressed.pcd"));
+  ASSERT_EQ(table.size(), 3U);
+  EXPECT_EQ(row_values(table, 2), (Values{7, 8, static_cast<double>(0.1F)}));
+}
+
+TEST_F(PcdReader, takes_the_sensor_origin_from_a_viewpoint_of_its_own)
+{
+  std::string file = header(xyz, "1", "ascii") + "1 2 3\n";
+  EXPECT_FALSE(parse(file).sensor_origin);
+  const std::string standard = "VIEWPOINT 0 0 0 1 0 0 0";
+  file.replace(file.find(standard), standard.size(), "VIEWPOINT 7 8 9 1 0 0 0");
+  ASSERT_TRUE(parse(file).sensor_origin);
+  EXPECT_EQ(*parse(file).sensor_origin, Eigen::Vector3d(7, 8, 9));
+}
+
+TEST_F(PcdReader, names_what_is_wrong)
+{
+  EXPECT_NE(complaint_about("ply\n").find("not a PCD file"), std::string::npos);
+  EXPECT_NE(
+      complaint_about(header("FIELDS x y\nSIZE 4 4\nTYPE F F\nCOUNT 1 1\n", "1", "ascii") + "1 2\n").find("x, y and z"),
+      std::string::npos);
+  EXPECT_NE(complaint_about(header("FIELDS x y z\nSIZE 4 4 -4\nTYPE F F F\nCOUNT 1 1 1\n", "1", "ascii")).find("SIZE"),
+            std::string::npos);
+  const std::string two_points = std::string(24, '\0');
+  EXPECT_EQ(complaint_about(header(xyz, "2", "binary") + two_points), "");
+  EXPECT_NE(complaint_about(header(xyz, "2", "binary") + two_points.substr(1)).find("cut short"), std::string::npos);
+  const std::string ascii = header(xyz, "3", "ascii");
+  EXPECT_NE(complaint_about(ascii + "1 2 3\n4 5 6\n").find("cut short"), std::string::npos);
+  EXPECT_NE(complaint_about(ascii + "1 2 3\n4 5 6\n7 8\n").find("line 3"), std::string::npos);
+  EXPECT_NE(complaint_about(ascii + "1 2 3\n4 5 6x\n7 8 9\n").find("line 2"), std::string::npos);
+}
+
+TEST_F(PcdReader, does_not_believe_a_compressed_size_that_the_file_cannot_hold)
+{
+  const auto complaint_about_sizes = [this](std::uint32_t compressed, std::uint32_t uncompressed) {
+    return complaint_about(header(xyz, "2", "binary_compressed") + bytes_of(compressed) + bytes_of(uncompressed) +
+                           "oops");
+  };
+  EXPECT_NE(complaint_about_sizes(4000000000, 24).find("cut short"), std::string::npos);
+  EXPECT_NE(complaint_about_sizes(4, 23).find("cut short"), std::string::npos);
+  EXPECT_NE(complaint_about_sizes(4, 4000000000).find("impossible size"), std::string::npos);
+  EXPECT_NE(complaint_about_sizes(4, 24).find("PCL cannot read"), std::string::npos);
+}
+
+TEST_F(PcdReader, does_not_believe_a_count_that_the_file_cannot_hold)
+{
+  for (const char* encoding : {"ascii", "binary", "binary_compressed"}) {
+    const std::string file = header(xyz, "2000000000", encoding) + "1 2 3\n4 5 6\n";
+    EXPECT_NE(complaint_about(file).find("cut short"), std::string::npos) << encoding;
+  }
+}
+
+}  // namespace
+}  // namespace pds

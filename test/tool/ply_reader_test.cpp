@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/ply_reader.h"
+
+#include "reader_testing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pds
+{
+namespace
+{
+
+using Values = std::vector<double>;
+
+constexpr double utm_northing = 5234567.123;
+
+std::string header(const std::string& format, const std::string& count, const std::string& properties)
+{
+  return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + count + "\n" + properties +
+         "end_header\n";
+}
+
+const std::string xyz_float = "property float x\nproperty float y\nproperty float z\n";
+const std::string xyz_double = "property double x\nproperty double y\nproperty double z\n";
+
+std::string big_endian(std::string bytes)
+{
+  std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+TEST(PlyReader, reads_every_scalar_type_in_ascii)
+{
+  const PointTable table = read_ply(header("ascii", "1",
+                                           "property char a\nproperty uint8 b\nproperty short c\nproperty uint16 "
+                                           "d\nproperty int e\nproperty uint32 f\n" +
+                                               xyz_float + "property float64 g\n") +
+                                    "-128 255 -32768 65535 -2147483648 4294967295 0.1 2 nan 0.1\n");
+  EXPECT_EQ(describe_fields(table), "x:float y:float z:float a:char b:uchar c:short d:ushort e:int f:uint g:double");
+  const Values values = row_values(table, 0);
+  EXPECT_TRUE(std::isnan(values[2]));
+  EXPECT_EQ(values[0], static_cast<double>(0.1F));
+  EXPECT_EQ(Values(values.begin() + 3, values.end()),
+            (Values{-128, 255, -32768, 65535, -2147483648.0, 4294967295.0, 0.1}));
+}
+
+TEST(PlyReader, keeps_utm_doubles_to_the_last_bit_in_both_byte_orders)
+{
+  const Values expected = {500000.001, utm_northing, 412.0625};
+  std::string little;
+  std::string big;
+  for (const double value : expected) {
+    little += bytes_of(value);
+    big += big_endian(bytes_of(value));
+  }
+  EXPECT_EQ(row_values(read_ply(header("binary_little_endian", "1", xyz_double) + little), 0), expected);
+  EXPECT_EQ(row_values(read_ply(header("binary_big_endian", "1", xyz_double) + big), 0), expected);
+}
+
+TEST(PlyReader, passes_over_lists_and_elements_before_the_vertices)
+{
+  const std::string body =
+      "ply\nformat binary_little_endian 1.0\nelement camera 2\nproperty short id\n"
+      "property list uchar float matrix\nelement vertex 2\nproperty list uint16 int faces\n" +
+      xyz_float + "end_header\n";
+  const std::string camera = bytes_of(std::int16_t{7}) + bytes_of(std::uint8_t{2}) + bytes_of(1.F) + bytes_of(1.F);
+  const auto vertex = [](float x, std::uint16_t list_size) {
+    std::string bytes = bytes_of(list_size) + std::string(std::size_t{4} * list_size, '\x7f');
+    return bytes + bytes_of(x) + bytes_of(2.F) + bytes_of(3.F);
+  };
+  const PointTable table = read_ply(body + camera + camera + vertex(1, 3) + vertex(4, 0));
+  ASSERT_EQ(table.size(), 2U);
+  EXPECT_EQ(row_values(table, 0), (Values{1, 2, 3}));
+  EXPECT_EQ(row_values(table, 1), (Values{4, 2, 3}));
+}
+
+TEST(PlyReader, takes_crlf_and_integer_coordinates)
+{
+  const PointTable table = read_ply(
+      "ply\r\nformat ascii 1.0\r\nelement vertex 1\r\nproperty int x\r\nproperty int y\r\nproperty int z\r\n"
+      "end_header\r\n1 2.000 -2147483647\r\n");
+  EXPECT_EQ(describe_fields(table), "x:double y:double z:double");
+  EXPECT_EQ(row_values(table, 0), (Values{1, 2, -2147483647.0}));
+}
+
+TEST(PlyReader, names_what_is_wrong)
+{
+  const auto of = [](const std::string& file) { return complaint([&file] { return read_ply(file); }); };
+  const std::string three_floats(12, '\0');
+  EXPECT_NE(of("solid cube\n").find("not a PLY file"), std::string::npos);
+  EXPECT_NE(of("ply\nformat ascii 1.0\nelement vertex 1\n").find("end_header"), std::string::npos);
+  EXPECT_NE(of("ply\nelement vertex 0\nend_header\n").find("line 3"), std::string::npos);
+  EXPECT_NE(of(header("ascii", "-1", xyz_float)).find("line 4"), std::string::npos);
+  EXPECT_NE(of(header("ascii", "1", "property quad x\n")).find("line 5"), std::string::npos);
+  EXPECT_NE(of(header("ascii", "1", "property float x\nproperty float y\n") + "1 2\n").find("x, y and z"),
+            std::string::npos);
+  EXPECT_NE(of(header("ascii", "1", xyz_float) + "1 2\n").find("cut short"), std::string::npos);
+  EXPECT_NE(of(header("ascii", "1", xyz_float) + "1 2 3x\n").find("'3x'"), std::string::npos);
+  EXPECT_NE(of(header("ascii", "1", xyz_float + "property uchar red\n") + "1 2 3 256\n").find("'256'"),
+            std::string::npos);
+  EXPECT_NE(of(header("binary_little_endian", "2", xyz_float) + three_floats).find("cut short"), std::string::npos);
+  EXPECT_NE(of(header("binary_little_endian", "1", xyz_float + "property float x\n") + three_floats).find("twice"),
+            std::string::npos);
+}
+
+TEST(PlyReader, does_not_believe_a_count_that_the_file_cannot_hold)
+{
+  for (const char* count : {"1000000000000", "18446744073709551615"}) {
+    for (const char* format : {"ascii", "binary_little_endian"}) {
+      const std::string file = header(format, count, xyz_float) + std::string(100, '1');
+      EXPECT_NE(complaint([&file] { return read_ply(file); }).find("cut short"), std::string::npos) << count << format;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pds

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/write_mesh.h"
+
+#include "io/read_points.h"
+#include "reader_testing.h"
+#include "temporary_directory.h"
+
+namespace pds
+{
+namespace
+{
+
+using Values = std::vector<double>;
+
+const Triangles one_triangle = {{0, 1, 2}};
+
+/** Three points of a scan in UTM with fields of all kinds. */
+PointTable utm_points()
+{
+  PointTable table({{"x", ScalarType::float64},
+                    {"y", ScalarType::float64},
+                    {"z", ScalarType::float64},
+                    {"nx", ScalarType::float32},
+                    {"ny", ScalarType::float32},
+                    {"nz", ScalarType::float32},
+                    {"red", ScalarType::uint8},
+                    {"green", ScalarType::uint8},
+                    {"blue", ScalarType::uint8},
+                    {"intensity", ScalarType::float32},
+                    {"class", ScalarType::int8}});
+  const std::vector<Values> rows = {{500000.001, 5234567.123, 1.0 / 3, 0, 0, 1, 255, 128, 3, 0.1, -128},
+                                    {500001.002, 5234567.124, 1e-300, 0, 0.6, 0.8, 0, 1, 2, 1e-30, 127},
+                                    {500000.003, 5234568.125, 0.1, 1, 0, 0, 4, 5, 6, -7.5, 0}};
+  table.resize(rows.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t i = 0; i < table.fields().size(); ++i) {
+      table.set_value(row, table.fields()[i], rows[row][i]);
+    }
+  }
+  return table;
+}
+
+class WriteMesh : public TemporaryDirectory
+{
+ protected:
+  /** \return path of the file */
+  std::string save(const std::string& name, const PointTable& points, bool ascii = false) const
+  {
+    AtomicFile file(path(name));
+    write_mesh(file, std::filesystem::path(name).extension().string(), points, one_triangle, ascii);
+    file.finish();
+    file.commit();
+    return path(name);
+  }
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(WriteMesh, ply_gives_every_bit_of_every_field_back)
+{
+  const PointTable points = utm_points();
+  for (const bool ascii : {false, true}) {
+    const PointTable same = read_points(save("mesh.ply", points, ascii));
+    EXPECT_EQ(describe_fields(same), describe_fields(points));
+    ASSERT_EQ(same.size(), points.size());
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      EXPECT_EQ(row_values(same, row), row_values(points, row)) << "ascii: " << ascii;
+    }
+  }
+}
+
+TEST_F(WriteMesh, ply_has_faces)
+{
+  const std::string ascii = read(std::filesystem::path(save("a.ply", utm_points(), true)).filename());
+  EXPECT_TRUE(contains(ascii, "element face 1\nproperty list uchar int vertex_indices\nend_header\n"));
+  EXPECT_TRUE(contains(ascii, "\n3 0 1 2\n"));
+  save("b.ply", utm_points());
+  const std::string face = bytes_of(std::uint8_t{3}) + bytes_of(0) + bytes_of(1) + bytes_of(2);
+  const std::string binary = read("b.ply");
+  ASSERT_GE(binary.size(), face.size());
+  EXPECT_EQ(binary.substr(binary.size() - face.size()), face);
+}
+
+TEST_F(WriteMesh, obj_keeps_coordinates_and_colors_to_the_last_bit)
+{
+  const PointTable points = utm_points();
+  const PointTable same = read_points(save("mesh.obj", points));
+  ASSERT_EQ(same.size(), points.size());
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    for (const Field& field : same.fields()) {
+      EXPECT_EQ(same.value(row, field), points.value(row, *points.find(field.name))) << field.name;
+    }
+  }
+  EXPECT_EQ(same.fields().size(), 6U);
+  EXPECT_TRUE(contains(read("mesh.obj"), "\nvn 0 0 1\n"));
+  EXPECT_TRUE(contains(read("mesh.obj"), "\nf 1//1 2//2 3//3\n"));
+}
+
+TEST_F(WriteMesh, stl_holds_one_facet_facing_the_viewer_of_its_turn)
+{
+  PointTable points({{"x", ScalarType::float32}, {"y", ScalarType::float32}, {"z", ScalarType::float32}});
+  points.resize(3);
+  points.set_value(1, points.fields()[0], 1);
+  points.set_value(2, points.fields()[1], 1);
+  save("a.stl", points, true);
+  EXPECT_EQ(read("a.stl"),
+            "solid pcl_pds_recon\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+            "endfacet\nendsolid pcl_pds_recon\n");
+  save("b.stl", points);
+  const std::string binary = read("b.stl");
+  ASSERT_EQ(binary.size(), 84U + 50U);
+  EXPECT_EQ(binary.substr(80, 16), bytes_of(std::uint32_t{1}) + bytes_of(0.F) + bytes_of(0.F) + bytes_of(1.F));
+}
+
+TEST_F(WriteMesh, vtk_formats_name_the_fields)
+{
+#ifndef PCL_PDS_RECON_WITH_VTK
+  GTEST_SKIP() << "built without VTK";
+#endif
+  for (const char* name : {"mesh.vtk", "mesh.vtp"}) {
+    for (const bool ascii : {false, true}) {
+      save(name, utm_points(), ascii);
+      const std::string text = read(name);
+      for (const char* field : {"Normals", "RGB", "intensity", "class"}) {
+        EXPECT_TRUE(contains(text, field)) << name << ' ' << field;
+      }
+    }
+  }
+  EXPECT_TRUE(contains(read("mesh.vtp"), "500000.001 5234567.123 0.3333333333333333"));
+}
+
+TEST(LostInFormat, names_what_a_format_cannot_hold)
+{
+  const PointTable points = utm_points();
+  EXPECT_EQ(lost_in_format(".ply", points, true), "");
+  EXPECT_EQ(lost_in_format(".vtp", points, true), "");
+  EXPECT_EQ(lost_in_format(".vtk", points, false), "");
+  EXPECT_EQ(lost_in_format(".vtk", points, true), "the last digits of the coordinates");
+  EXPECT_EQ(lost_in_format(".obj", points, false), "the fields intensity class");
+  EXPECT_EQ(lost_in_format(".stl", points, false),
+            "the fields nx ny nz red green blue intensity class and the last digits of the coordinates");
+}
+
+}  // namespace
+}  // namespace pds
