@@ -9,11 +9,12 @@ namespace pds
 namespace
 {
 
-constexpr std::size_t block = 4096;    // points per block
-constexpr double smallest_disk = 2.0;   // intervals: about 25 points at k = 15, of which a cell keeps a dozen
-constexpr double largest_exponent = 5.0;  // c x; beyond it exp() only names outliers
+constexpr std::size_t block = 4096;        // points per block
+constexpr double smallest_disk = 1.8;      // intervals: about 20 points at k = 15; below it cells fall apart
+constexpr double largest_exponent = 5.0;   // c x; beyond it exp() only names outliers
 constexpr int fixed_point_steps = 20;
-constexpr int smoothing_rounds = 3;    // averages over about 2 k-neighbourhoods: wider than noise, narrower than a disk
+constexpr int weight_smoothing = 3;       // rounds of averaging: a metric that jumps within a disk tears the mesh
+constexpr int feature_smoothing = 1;      // wider than noise, narrow enough to tell a crease from its flanks
 
 Eigen::Matrix3d neighborhood_covariance(const OrderedPoints& points, const NeighborGraph& graph, std::size_t i)
 {
@@ -31,10 +32,10 @@ Eigen::Matrix3d neighborhood_covariance(const OrderedPoints& points, const Neigh
   return moment / count - mean * mean.transpose();
 }
 
-std::vector<float> smoothed(std::vector<float> field, const NeighborGraph& graph, const Parallel& parallel)
+std::vector<float> smoothed(std::vector<float> field, int rounds, const NeighborGraph& graph, const Parallel& parallel)
 {
   std::vector<float> next(field.size());
-  for (int round = 0; round < smoothing_rounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     parallel.each(field.size(), block, [&](std::size_t i) {
       float sum = field[i];
       for (const std::uint32_t j : graph.nearest(i)) sum += field[j];
@@ -89,6 +90,21 @@ SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGrap
   return surface;
 }
 
+std::vector<std::uint8_t> feature_ranks(const SurfaceEstimate& surface,
+                                        const NeighborGraph& graph,
+                                        const Parallel& parallel)
+{
+  constexpr float highest = 15.0F;
+  const std::vector<float> curvature = smoothed(surface.curvature, feature_smoothing, graph, parallel);
+  const auto step = static_cast<float>(0.5 * mean(curvature));
+  std::vector<std::uint8_t> ranks(curvature.size());
+  if (step > 0)
+    parallel.each(ranks.size(), block, [&](std::size_t i) {
+      ranks[i] = static_cast<std::uint8_t>(std::min(curvature[i] / step, highest));
+    });
+  return ranks;
+}
+
 EdgeWeights curvature_weights(const SurfaceEstimate& surface,
                               const NeighborGraph& graph,
                               double coefficient,
@@ -97,7 +113,7 @@ EdgeWeights curvature_weights(const SurfaceEstimate& surface,
 {
   EdgeWeights weights;
   if (coefficient == 0) return weights;
-  weights.weight = smoothed(surface.curvature, graph, parallel);
+  weights.weight = smoothed(surface.curvature, weight_smoothing, graph, parallel);
   const double mean_curvature = mean(weights.weight);
   if (mean_curvature <= 0) return {};
   for (float& w : weights.weight)

@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t most_corners = 48;  // bounds the cubic cost; a perimeter of 15 radii has about 12
 constexpr int rounds = 2;                 // of cleaning and filling
+constexpr double widening = 1.5;          // how much longer a hole may get by mending
 constexpr double sharpest_fold = 0.646;   // radians (37 degrees): faces that enclose less are folded back
 constexpr std::size_t speck_faces = 20;   // a component smaller than this ...
 constexpr std::size_t speck_share = 100;  // ... and than this share of the largest one is no surface
@@ -158,6 +159,81 @@ std::size_t fill_loops(TriangleComplex& complex, const SeedGeometry& seeds, cons
   return filled;
 }
 
+/** \brief The loop through \a start, with the hole on its left; empty if \a start is no boundary vertex or pinched. */
+Polygon loop_through(const TriangleComplex& complex, std::uint32_t start)
+{
+  Polygon loop;
+  std::uint32_t at = start;
+  do {
+    std::uint32_t next = TriangleComplex::no_face;
+    for (const std::uint32_t f : complex.faces_at(at)) {
+      const Triangle t = complex.oriented(f);
+      const std::size_t corner = t[0] == at ? 0 : t[1] == at ? 1 : 2;
+      const std::uint32_t before = t[(corner + 2) % 3];
+      if (complex.other_face(f, before, at) != TriangleComplex::no_face) continue;
+      if (next != TriangleComplex::no_face) return {};
+      next = before;
+    }
+    if (next == TriangleComplex::no_face || loop.size() == most_corners) return {};
+    loop.push_back(at);
+    at = next;
+  } while (at != start);
+  return loop;
+}
+
+/** \brief Fills a hole after taking some faces beside it away; puts them back if that does not help. */
+bool refill_without(TriangleComplex& complex,
+                    const SeedGeometry& seeds,
+                    const Polygon& loop,
+                    std::vector<std::uint32_t> faces,
+                    const FillLimits& limits)
+{
+  std::vector<Triangle> taken;
+  for (const std::uint32_t f : faces) {
+    taken.push_back(complex.oriented(f));
+    complex.remove(f);
+  }
+  for (const std::uint32_t v : loop) {
+    if (complex.faces_at(v).empty()) continue;
+    const Polygon wider = loop_through(complex, v);
+    if (!wider.empty() && fill_polygon(complex, seeds, wider, limits)) return true;
+    break;
+  }
+  // What the failed filling left among the orientation constraints must not keep the old faces out.
+  complex.rebuild_orientation();
+  for (const Triangle& t : taken) complex.add(t, 0.0);
+  return false;
+}
+
+/** \brief A hole that has no filling often has one without one of the faces, or one of the vertices, at its rim. */
+bool mend_hole(TriangleComplex& complex, const SeedGeometry& seeds, const Polygon& loop, const FillLimits& limits)
+{
+  FillLimits wider = limits;
+  wider.perimeter *= widening;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    for (const std::uint32_t f : complex.faces_at(loop[i])) {
+      const Triangle t = complex.oriented(f);
+      if (std::find(t.begin(), t.end(), loop[(i + 1) % loop.size()]) == t.end()) continue;
+      if (refill_without(complex, seeds, loop, {f}, wider)) return true;
+      break;
+    }
+  for (const std::uint32_t v : loop)
+    if (refill_without(complex, seeds, loop, complex.faces_at(v), wider)) return true;
+  return false;
+}
+
+std::size_t mend_holes(TriangleComplex& complex, const SeedGeometry& seeds, const FillLimits& limits)
+{
+  std::size_t mended = 0;
+  for (const Polygon& loop : boundary_loops(complex)) {
+    if (perimeter(seeds, loop) > limits.perimeter || loop.size() > most_corners) continue;
+    // An earlier loop's mending may have changed this one.
+    if (loop_through(complex, loop.front()).size() != loop.size()) continue;
+    if (mend_hole(complex, seeds, loop, limits)) ++mended;
+  }
+  return mended;
+}
+
 }  // namespace
 
 std::vector<Polygon> boundary_loops(const TriangleComplex& complex)
@@ -212,6 +288,7 @@ std::size_t fill_holes(TriangleComplex& complex,
     clean(complex);
     if (limits.perimeter > 0) filled += fill_loops(complex, seeds, limits);
   }
+  if (limits.perimeter > 0) filled += mend_holes(complex, seeds, limits);
   clean(complex);
   return filled;
 }

@@ -14,11 +14,11 @@ namespace
 
 constexpr std::size_t color_count = 8;  // 2 x 2 x 2: cells of one colour are a whole cell apart
 
-/** \brief A point's turn: by colour, then cell, then drawn lot. */
+/** \brief A point's turn: by colour, then cell, then descending feature rank, then drawn lot. */
 struct Dart
 {
   std::uint64_t cell;  ///< colour in the top bits
-  std::uint64_t lot;
+  std::uint64_t lot;   ///< complement of the feature rank in the top bits
   std::uint32_t point;
 
   bool operator<(const Dart& other) const
@@ -63,13 +63,19 @@ std::uint64_t cell_of(const Eigen::Vector3f& p, double cell_side)
   return color << (3 * axis_bits) | cell;
 }
 
-std::vector<Dart> sorted_darts(const OrderedPoints& points, double cell_side, std::uint64_t seed, const Parallel& parallel)
+std::vector<Dart> sorted_darts(const OrderedPoints& points,
+                               const std::vector<std::uint8_t>& feature_rank,
+                               double cell_side,
+                               std::uint64_t seed,
+                               const Parallel& parallel)
 {
   constexpr std::size_t block = 16384;
+  constexpr int rank_bits = 4;
   std::vector<Dart> darts(points.size());
   parallel.each(points.size(), block, [&](std::size_t i) {
-    darts[i] = {cell_of(points.position[i], cell_side), hash_position(points.position[i], seed),
-                static_cast<std::uint32_t>(i)};
+    const std::uint64_t lot = hash_position(points.position[i], seed) >> rank_bits;
+    const std::uint64_t turn = std::uint64_t{15U - feature_rank[i]} << (64 - rank_bits);
+    darts[i] = {cell_of(points.position[i], cell_side), turn | lot, static_cast<std::uint32_t>(i)};
   });
   std::sort(darts.begin(), darts.end());
   return darts;
@@ -128,6 +134,7 @@ void NearestSeeds::insert(std::uint32_t new_seed, float new_distance)
 PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                          const NeighborGraph& graph,
                                          const EdgeWeights& weights,
+                                         const std::vector<std::uint8_t>& feature_rank,
                                          double radius,
                                          GeodesicSolver solver,
                                          std::uint64_t seed,
@@ -137,7 +144,8 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
   sampling.radius = radius;
   sampling.nearest.resize(points.size());
   constexpr double rounding_margin = 1.001;  // distances and cell borders are rounded to single precision
-  const std::vector<Dart> darts = sorted_darts(points, 2 * disk_reach * radius * rounding_margin, seed, parallel);
+  const std::vector<Dart> darts = 
+      sorted_darts(points, feature_rank, 2 * disk_reach * radius * rounding_margin, seed, parallel);
   const Schedule schedule = schedule_cells(darts);
 
   constexpr std::size_t cells_per_block = 4;

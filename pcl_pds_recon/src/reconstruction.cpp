@@ -193,8 +193,8 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   clock.start("sampling", 0.5, report.seconds.sampling);
   PoissonDiskSampling sampling;
   if (metric.radius > 0)
-    sampling = sample_poisson_disks(points, graph, metric.weights, metric.radius, options.geodesic_solver,
-                                    options.seed, parallel);
+    sampling = sample_poisson_disks(points, graph, metric.weights, feature_ranks(surface, graph, parallel),
+                                    metric.radius, options.geodesic_solver, options.seed, parallel);
 
   // Steps 6 and 7: Voronoi diagram and adjacent seeds.
   clock.start("voronoi", 0.7, report.seconds.voronoi);

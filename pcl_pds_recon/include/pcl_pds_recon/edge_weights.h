@@ -33,6 +33,12 @@ struct EdgeWeights
                                                const NeighborGraph& graph,
                                                const Parallel& parallel);
 
+/** \brief How much each point deserves to be a seed: 0 (flat) ... 15 (far sharper than the mean), in half means of the
+ * curvature. Vertices on ridges, creases and corners carry a mesh; points between them are interpolated. O(n k). */
+[[nodiscard]] std::vector<std::uint8_t> feature_ranks(const SurfaceEstimate& surface,
+                                                      const NeighborGraph& graph,
+                                                      const Parallel& parallel);
+
 /** \brief What bounds the adaptive weights. */
 struct WeightLimits
 {

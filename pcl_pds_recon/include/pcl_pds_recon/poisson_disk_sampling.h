@@ -46,14 +46,17 @@ constexpr double disk_reach = 1.25;
  * The distance of two points is the smaller of those measured from either. Space is cut into cells of twice the reach,
  * coloured with 2 x 2 x 2 colours: disks of different cells of one colour cannot meet, because no distance is below the
  * Euclidean one. Colours are worked through in turn, the cells of one in parallel, the points of a cell in an order
- * drawn by hashing their coordinates: the result depends on nothing else. About 2 settled points per point.
+ * of descending feature rank, drawn among equals by hashing their coordinates: the result depends on nothing else.
+ * About 2 settled points per point.
  *
+ * \param feature_rank per point, 0 ... 15: points of higher rank are tried first
  * \param radius in units of position
  * \param seed picks the order
  */
 [[nodiscard]] PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                                        const NeighborGraph& graph,
                                                        const EdgeWeights& weights,
+                                                       const std::vector<std::uint8_t>& feature_rank,
                                                        double radius,
                                                        GeodesicSolver solver,
                                                        std::uint64_t seed,
