@@ -11,10 +11,7 @@ namespace
 
 using Eigen::Vector3d;
 
-double sphere(const Vector3d& p, const Vector3d& center, double radius)
-{
-  return (p - center).norm() - radius;
-}
+double sphere(const Vector3d& p, const Vector3d& center, double radius) { return (p - center).norm() - radius; }
 
 /** \brief |p / radii| - 1 grows at most by 1 / min(radii) per unit, hence the factor. */
 double ellipsoid(const Vector3d& p, const Vector3d& center, const Vector3d& radii)
