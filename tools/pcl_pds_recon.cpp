@@ -152,7 +152,4 @@ int guarded_main(int argc, const char* const* argv)
 
 }  // namespace pds
 
-int main(int argc, char** argv)
-{
-  return pds::guarded_main(argc, argv);
-}
+int main(int argc, char** argv) { return pds::guarded_main(argc, argv); }

@@ -37,10 +37,7 @@ ProgressReporter::ProgressReporter(Verbosity verbosity)
   logger_->set_pattern(shows_bar_ ? "%v" : "[%H:%M:%S.%e] %v");
 }
 
-ProgressReporter::~ProgressReporter()
-{
-  leave_bar();
-}
+ProgressReporter::~ProgressReporter() { leave_bar(); }
 
 void ProgressReporter::start_stage(const std::string& stage, double fraction)
 {

@@ -42,10 +42,7 @@ std::string complaint_with_files(std::vector<std::string> arguments)
   return complaint(arguments);
 }
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 class Config : public TemporaryDirectory
 {

@@ -59,10 +59,7 @@ TEST(TextReader, names_columns_without_a_header_as_documented)
   EXPECT_EQ(names("1 2 3 10 20 3000"), "x y z intensity field_5 field_6 ");
 }
 
-TEST(TextReader, keeps_rows_that_are_not_finite)
-{
-  EXPECT_EQ(read_text("1 2 3\nnan nan nan\n4 5 inf\n").size(), 3U);
-}
+TEST(TextReader, keeps_rows_that_are_not_finite) { EXPECT_EQ(read_text("1 2 3\nnan nan nan\n4 5 inf\n").size(), 3U); }
 
 TEST(TextReader, names_the_line_that_is_wrong)
 {

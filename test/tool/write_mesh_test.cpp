@@ -54,10 +54,7 @@ class WriteMesh : public TemporaryDirectory
   }
 };
 
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_F(WriteMesh, ply_gives_every_bit_of_every_field_back)
 {

@@ -19,10 +19,7 @@ namespace
 using ColorNames = std::array<const char*, 4>;
 constexpr ColorNames color_names = {"red", "green", "blue", "alpha"};
 
-bool is_byte(double value)
-{
-  return value >= 0 && value <= 255 && std::trunc(value) == value;
-}
+bool is_byte(double value) { return value >= 0 && value <= 255 && std::trunc(value) == value; }
 
 bool is_byte_column(const TextColumns& columns, std::size_t column)
 {
