@@ -25,10 +25,7 @@ using Triangle = std::array<pcl::index_t, 3>;
 constexpr std::size_t default_size = 10000;
 
 /** \brief Number in [-1, 1), the same with every standard library, unlike std::uniform_real_distribution. */
-inline double symmetricUniform(std::mt19937& engine)
-{
-  return static_cast<double>(engine()) / 2147483648.0 - 1.0;
-}
+inline double symmetricUniform(std::mt19937& engine) { return static_cast<double>(engine()) / 2147483648.0 - 1.0; }
 
 /** \brief Random points of the unit sphere. */
 template <typename PointT>
