@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/certificate.h>
 #include <algorithm>
 #include <numeric>
-#include <pcl_pds_recon/certificate.h>
 #include <tuple>
 
 namespace pds
@@ -61,7 +61,9 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles)
 }
 
 /** \brief A vertex is manifold if its faces' opposite edges form one path or one cycle. */
-bool is_single_fan(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& around, std::uint32_t vertex)
+bool is_single_fan(const std::vector<Triangle>& triangles,
+                   const std::vector<std::uint32_t>& around,
+                   std::uint32_t vertex)
 {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> link;
   for (const std::uint32_t f : around) {
@@ -99,7 +101,8 @@ std::vector<std::vector<std::uint32_t>> chain_loops(std::vector<std::pair<std::u
       used[e] = 1;
       loop.push_back(edges[e].first);
       const std::uint32_t at = edges[e].second;
-      e = static_cast<std::size_t>(std::lower_bound(edges.begin(), edges.end(), std::make_pair(at, 0U)) - edges.begin());
+      e = static_cast<std::size_t>(std::lower_bound(edges.begin(), edges.end(), std::make_pair(at, 0U)) -
+                                   edges.begin());
       while (e < edges.size() && edges[e].first == at && used[e] != 0) ++e;
       if (e < edges.size() && edges[e].first != at) break;
     }
@@ -119,7 +122,8 @@ Certificate certify(const std::vector<Triangle>& triangles, std::size_t vertex_c
   std::vector<std::pair<std::uint32_t, std::uint32_t>> boundary;
   for (std::size_t begin = 0; begin < sides.size();) {
     std::size_t end = begin + 1;
-    for (; end < sides.size() && sides[end].same_edge(sides[begin]); ++end) joined.join(sides[begin].face, sides[end].face);
+    for (; end < sides.size() && sides[end].same_edge(sides[begin]); ++end)
+      joined.join(sides[begin].face, sides[end].face);
     const Side& side = sides[begin];
     ++c.edges;
     if (end - begin > 2) ++c.nonmanifold_edges;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/edge_weights.h>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <pcl_pds_recon/edge_weights.h>
 
 namespace pds
 {
 namespace
 {
 
-constexpr std::size_t block = 4096;        // points per block
-constexpr double smallest_disk = 1.8;      // intervals: about 20 points at k = 15; below it cells fall apart
-constexpr double largest_exponent = 5.0;   // c x; beyond it exp() only names outliers
+constexpr std::size_t block = 4096;       // points per block
+constexpr double smallest_disk = 1.8;     // intervals: about 20 points at k = 15; below it cells fall apart
+constexpr double largest_exponent = 5.0;  // c x; beyond it exp() only names outliers
 constexpr int fixed_point_steps = 20;
-constexpr int weight_smoothing = 3;       // rounds of averaging: a metric that jumps within a disk tears the mesh
-constexpr int feature_smoothing = 1;      // wider than noise, narrow enough to tell a crease from its flanks
+constexpr int weight_smoothing = 3;   // rounds of averaging: a metric that jumps within a disk tears the mesh
+constexpr int feature_smoothing = 1;  // wider than noise, narrow enough to tell a crease from its flanks
 
 Eigen::Matrix3d neighborhood_covariance(const OrderedPoints& points, const NeighborGraph& graph, std::size_t i)
 {
@@ -84,8 +84,7 @@ SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGrap
     solver.computeDirect(neighborhood_covariance(points, graph, i));
     const Eigen::Vector3d eigenvalues = solver.eigenvalues().cwiseMax(0.0);
     surface.normal[i] = solver.eigenvectors().col(0).cast<float>();
-    if (eigenvalues.sum() > 0)
-      surface.curvature[i] = static_cast<float>(std::sqrt(eigenvalues[0] / eigenvalues.sum()));
+    if (eigenvalues.sum() > 0) surface.curvature[i] = static_cast<float>(std::sqrt(eigenvalues[0] / eigenvalues.sum()));
   });
   return surface;
 }
@@ -99,9 +98,8 @@ std::vector<std::uint8_t> feature_ranks(const SurfaceEstimate& surface,
   const auto step = static_cast<float>(0.5 * mean(curvature));
   std::vector<std::uint8_t> ranks(curvature.size());
   if (step > 0)
-    parallel.each(ranks.size(), block, [&](std::size_t i) {
-      ranks[i] = static_cast<std::uint8_t>(std::min(curvature[i] / step, highest));
-    });
+    parallel.each(ranks.size(), block,
+                  [&](std::size_t i) { ranks[i] = static_cast<std::uint8_t>(std::min(curvature[i] / step, highest)); });
   return ranks;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/geodesic_disk.h>
 #include <algorithm>
 #include <cmath>
-#include <pcl_pds_recon/geodesic_disk.h>
 
 namespace pds
 {
@@ -12,11 +12,8 @@ constexpr std::size_t initial_table_size = 1024;  // a power of two; a disk of 3
 
 /** \brief Distance of p from a source that lies at distance ta from a and tb from b, by unfolding into the plane of
  * (a, b, p); infinity if the straight line from the source does not pass between a and b. */
-float two_point_distance(const Eigen::Vector3f& a,
-                         const Eigen::Vector3f& b,
-                         const Eigen::Vector3f& p,
-                         float ta,
-                         float tb)
+float two_point_distance(
+    const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& p, float ta, float tb)
 {
   constexpr float inf = std::numeric_limits<float>::infinity();
   // The frame: a at the origin, b on the positive x axis at c, p above it.
@@ -51,7 +48,6 @@ GeodesicDisk::GeodesicDisk(const OrderedPoints& points,
 
 const std::vector<GeodesicDisk::Reached>& GeodesicDisk::grow(std::uint32_t source, float limit)
 {
-  // Empty the table by visiting what is in it if that is less than all of it.
   std::fill(table_.begin(), table_.end(), none);
   nodes_.clear();
   front_.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/geodesic_voronoi.h>
 #include <algorithm>
 #include <array>
-#include <pcl_pds_recon/geodesic_voronoi.h>
 #include <tuple>
 
 namespace pds
@@ -130,7 +130,9 @@ class CellSurvey
   std::vector<Other> others_;
 };
 
-std::vector<std::uint8_t> find_witnesses(const PoissonDiskSampling& sampling, double threshold, const Parallel& parallel)
+std::vector<std::uint8_t> find_witnesses(const PoissonDiskSampling& sampling,
+                                         double threshold,
+                                         const Parallel& parallel)
 {
   constexpr std::size_t block = 65536;
   const auto radius = static_cast<float>(sampling.radius);
@@ -147,9 +149,8 @@ std::vector<std::uint8_t> find_witnesses(const PoissonDiskSampling& sampling, do
 /** \brief Both sides of a border report it, in any order of blocks; sorting and adding up leaves one of each. */
 void merge_pairs(std::vector<SeedPair>& pairs)
 {
-  std::sort(pairs.begin(), pairs.end(), [](const SeedPair& x, const SeedPair& y) {
-    return std::tie(x.a, x.b) < std::tie(y.a, y.b);
-  });
+  std::sort(pairs.begin(), pairs.end(),
+            [](const SeedPair& x, const SeedPair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
   std::size_t last = 0;
   for (std::size_t i = 1; i < pairs.size(); ++i) {
     if (pairs[i].a == pairs[last].a && pairs[i].b == pairs[last].b) {
@@ -164,9 +165,8 @@ void merge_pairs(std::vector<SeedPair>& pairs)
 
 void merge_triples(std::vector<SeedTriple>& triples)
 {
-  std::sort(triples.begin(), triples.end(), [](const SeedTriple& x, const SeedTriple& y) {
-    return std::tie(x.a, x.b, x.c) < std::tie(y.a, y.b, y.c);
-  });
+  std::sort(triples.begin(), triples.end(),
+            [](const SeedTriple& x, const SeedTriple& y) { return std::tie(x.a, x.b, x.c) < std::tie(y.a, y.b, y.c); });
   std::size_t last = 0;
   for (std::size_t i = 1; i < triples.size(); ++i) {
     if (triples[i].a == triples[last].a && triples[i].b == triples[last].b && triples[i].c == triples[last].c)

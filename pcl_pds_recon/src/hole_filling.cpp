@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/hole_filling.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <pcl_pds_recon/hole_filling.h>
+#include <tuple>
 
 namespace pds
 {
@@ -13,12 +14,15 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr std::size_t most_corners = 48;  // bounds the cubic cost; a perimeter of 15 radii has about 12
-constexpr int rounds = 2;                 // of cleaning and filling
-constexpr double widening = 1.5;          // how much longer a hole may get by mending
-constexpr double sharpest_fold = 0.646;   // radians (37 degrees): faces that enclose less are folded back
-constexpr std::size_t speck_faces = 20;   // a component smaller than this ...
-constexpr std::size_t speck_share = 100;  // ... and than this share of the largest one is no surface
+constexpr std::size_t most_corners = 48;   // bounds the cubic cost; a perimeter of 15 radii has about 12
+constexpr int rounds = 2;                  // of cleaning and filling
+constexpr double widening = 1.5;           // how much longer a hole may get by mending
+constexpr double sharpest_fold = 0.646;    // radians (37 degrees): faces that enclose less are folded back
+constexpr std::size_t speck_faces = 20;    // a component smaller than this ...
+constexpr std::size_t speck_share = 100;   // ... and than this share of the largest one is no surface
+constexpr std::size_t scatter_share = 20;  // components below this share of the largest one may be scatter
+constexpr double frayed = 0.5;             // boundary edges per vertex; a disk of 50 vertices has 0.4
+constexpr double volume_curvature = 0.2;   // an isotropic cloud has 0.58, a clean surface below 0.1
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double metric_length(const SeedGeometry& seeds, std::uint32_t a, std::uint32_t b)
@@ -45,8 +49,13 @@ double squared_circumradius(const Vector3d& a, const Vector3d& b, const Vector3d
 class PolygonTriangulation
 {
  public:
-  PolygonTriangulation(const TriangleComplex& complex, const Polygon& polygon, const FillLimits& limits)
+  /** \param bordering null if any chord will do */
+  PolygonTriangulation(const TriangleComplex& complex,
+                       const BorderingCells* bordering,
+                       const Polygon& polygon,
+                       const FillLimits& limits)
       : complex_(complex),
+        bordering_(bordering),
         polygon_(polygon),
         limits_(limits),
         n_(polygon.size()),
@@ -84,9 +93,7 @@ class PolygonTriangulation
 
   void solve(std::size_t i, std::size_t j)
   {
-    if (!is_side(i, j) &&
-        ((at(i) - at(j)).norm() > limits_.chord || complex_.has_edge(polygon_[i], polygon_[j])))
-      return;
+    if (!is_side(i, j) && !chord_allowed(i, j)) return;
     for (std::size_t m = i + 1; m < j; ++m) {
       const double below = cost_[i * n_ + m] + cost_[m * n_ + j];
       if (below == infinity || folds(i, m, j) || folds(m, j, i) || (is_side(i, j) && folds_outside(i, j, m))) continue;
@@ -120,7 +127,14 @@ class PolygonTriangulation
     return false;
   }
 
+  [[nodiscard]] bool chord_allowed(std::size_t i, std::size_t j) const
+  {
+    return (at(i) - at(j)).norm() <= limits_.chord && !complex_.has_edge(polygon_[i], polygon_[j]) &&
+           (bordering_ == nullptr || (*bordering_)(polygon_[i], polygon_[j]));
+  }
+
   const TriangleComplex& complex_;
+  const BorderingCells* bordering_;
   const Polygon& polygon_;
   const FillLimits& limits_;
   std::size_t n_;
@@ -129,25 +143,51 @@ class PolygonTriangulation
   std::vector<std::size_t> apex_;
 };
 
-void remove_specks(TriangleComplex& complex)
+/** \brief True if the component is what remains of points scattered through a volume (leaves, spray): frayed, and on
+ * neighbourhoods as thick as they are wide. */
+bool is_scatter(const TriangleComplex& complex, const SeedGeometry& seeds, const std::vector<std::uint32_t>& faces)
+{
+  std::vector<std::uint32_t> vertices;
+  std::size_t boundary_edges = 0;
+  for (const std::uint32_t f : faces) {
+    const Triangle t = complex.oriented(f);
+    vertices.insert(vertices.end(), t.begin(), t.end());
+    for (std::size_t e = 0; e < 3; ++e)
+      if (complex.other_face(f, t[e], t[(e + 1) % 3]) == TriangleComplex::no_face) ++boundary_edges;
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  double curvature = 0;
+  for (const std::uint32_t v : vertices) curvature += seeds.curvature[v];
+  const auto count = static_cast<double>(vertices.size());
+  return static_cast<double>(boundary_edges) > frayed * count && curvature > volume_curvature * count;
+}
+
+/** \brief Removes small components that are no surface. */
+void remove_specks(TriangleComplex& complex, const SeedGeometry& seeds)
 {
   const auto components = complex.components();
   std::size_t largest = 0;
   for (const auto& c : components) largest = std::max(largest, c.size());
-  for (const auto& c : components)
-    if (c.size() < speck_faces && c.size() * speck_share < largest)
+  for (const auto& c : components) {
+    const bool speck = c.size() < speck_faces && c.size() * speck_share < largest;
+    if (speck || (c.size() * scatter_share < largest && is_scatter(complex, seeds, c)))
       for (const std::uint32_t f : c) complex.remove(f);
+  }
 }
 
-void clean(TriangleComplex& complex)
+void clean(TriangleComplex& complex, const SeedGeometry& seeds)
 {
   while (complex.remove_folds(sharpest_fold) + complex.remove_pinches() > 0) {
   }
-  remove_specks(complex);
+  remove_specks(complex, seeds);
   complex.rebuild_orientation();
 }
 
-std::size_t fill_loops(TriangleComplex& complex, const SeedGeometry& seeds, const FillLimits& limits)
+std::size_t fill_loops(TriangleComplex& complex,
+                       const SeedGeometry& seeds,
+                       const BorderingCells& bordering,
+                       const FillLimits& limits)
 {
   const std::vector<Polygon> loops = boundary_loops(complex);
   std::vector<std::pair<double, std::size_t>> order;
@@ -155,7 +195,7 @@ std::size_t fill_loops(TriangleComplex& complex, const SeedGeometry& seeds, cons
   std::sort(order.begin(), order.end());
   std::size_t filled = 0;
   for (const auto& [length, i] : order)
-    if (fill_polygon(complex, seeds, loops[i], limits)) ++filled;
+    if (fill_polygon(complex, seeds, bordering, loops[i], limits)) ++filled;
   return filled;
 }
 
@@ -184,6 +224,7 @@ Polygon loop_through(const TriangleComplex& complex, std::uint32_t start)
 /** \brief Fills a hole after taking some faces beside it away; puts them back if that does not help. */
 bool refill_without(TriangleComplex& complex,
                     const SeedGeometry& seeds,
+                    const BorderingCells& bordering,
                     const Polygon& loop,
                     std::vector<std::uint32_t> faces,
                     const FillLimits& limits)
@@ -196,7 +237,7 @@ bool refill_without(TriangleComplex& complex,
   for (const std::uint32_t v : loop) {
     if (complex.faces_at(v).empty()) continue;
     const Polygon wider = loop_through(complex, v);
-    if (!wider.empty() && fill_polygon(complex, seeds, wider, limits)) return true;
+    if (!wider.empty() && fill_polygon(complex, seeds, bordering, wider, limits)) return true;
     break;
   }
   // What the failed filling left among the orientation constraints must not keep the old faces out.
@@ -206,7 +247,11 @@ bool refill_without(TriangleComplex& complex,
 }
 
 /** \brief A hole that has no filling often has one without one of the faces, or one of the vertices, at its rim. */
-bool mend_hole(TriangleComplex& complex, const SeedGeometry& seeds, const Polygon& loop, const FillLimits& limits)
+bool mend_hole(TriangleComplex& complex,
+               const SeedGeometry& seeds,
+               const BorderingCells& bordering,
+               const Polygon& loop,
+               const FillLimits& limits)
 {
   FillLimits wider = limits;
   wider.perimeter *= widening;
@@ -214,22 +259,25 @@ bool mend_hole(TriangleComplex& complex, const SeedGeometry& seeds, const Polygo
     for (const std::uint32_t f : complex.faces_at(loop[i])) {
       const Triangle t = complex.oriented(f);
       if (std::find(t.begin(), t.end(), loop[(i + 1) % loop.size()]) == t.end()) continue;
-      if (refill_without(complex, seeds, loop, {f}, wider)) return true;
+      if (refill_without(complex, seeds, bordering, loop, {f}, wider)) return true;
       break;
     }
   for (const std::uint32_t v : loop)
-    if (refill_without(complex, seeds, loop, complex.faces_at(v), wider)) return true;
+    if (refill_without(complex, seeds, bordering, loop, complex.faces_at(v), wider)) return true;
   return false;
 }
 
-std::size_t mend_holes(TriangleComplex& complex, const SeedGeometry& seeds, const FillLimits& limits)
+std::size_t mend_holes(TriangleComplex& complex,
+                       const SeedGeometry& seeds,
+                       const BorderingCells& bordering,
+                       const FillLimits& limits)
 {
   std::size_t mended = 0;
   for (const Polygon& loop : boundary_loops(complex)) {
-    if (perimeter(seeds, loop) > limits.perimeter || loop.size() > most_corners) continue;
+    if (loop.size() > most_corners) continue;
     // An earlier loop's mending may have changed this one.
     if (loop_through(complex, loop.front()).size() != loop.size()) continue;
-    if (mend_hole(complex, seeds, loop, limits)) ++mended;
+    if (mend_hole(complex, seeds, bordering, loop, limits)) ++mended;
   }
   return mended;
 }
@@ -260,10 +308,24 @@ std::vector<Polygon> boundary_loops(const TriangleComplex& complex)
   return loops;
 }
 
-bool fill_polygon(TriangleComplex& complex, const SeedGeometry& seeds, const Polygon& polygon, const FillLimits& limits)
+bool BorderingCells::operator()(std::uint32_t s, std::uint32_t t) const
 {
-  if (polygon.size() < 3 || polygon.size() > most_corners || perimeter(seeds, polygon) > limits.perimeter) return false;
-  const PolygonTriangulation triangulation(complex, polygon, limits);
+  const auto wanted = std::minmax(s, t);
+  const auto place = std::lower_bound(pairs_.begin(), pairs_.end(), wanted, [](const SeedPair& p, const auto& w) {
+    return std::tie(p.a, p.b) < std::tie(w.first, w.second);
+  });
+  return place != pairs_.end() && place->a == wanted.first && place->b == wanted.second;
+}
+
+bool fill_polygon(TriangleComplex& complex,
+                  const SeedGeometry& seeds,
+                  const BorderingCells& bordering,
+                  const Polygon& polygon,
+                  const FillLimits& limits)
+{
+  if (polygon.size() < 3 || polygon.size() > most_corners) return false;
+  const bool may_be_gap = perimeter(seeds, polygon) > limits.perimeter;
+  const PolygonTriangulation triangulation(complex, may_be_gap ? &bordering : nullptr, polygon, limits);
   if (!triangulation.exists()) return false;
   const std::size_t before = complex.face_capacity();
   for (const Triangle& t : triangulation.triangles())
@@ -276,20 +338,21 @@ bool fill_polygon(TriangleComplex& complex, const SeedGeometry& seeds, const Pol
 
 std::size_t fill_holes(TriangleComplex& complex,
                        const SeedGeometry& seeds,
+                       const BorderingCells& bordering,
                        const std::vector<Polygon>& faces,
                        const FillLimits& limits)
 {
   std::size_t filled = 0;
   if (limits.perimeter > 0) {
     for (const Polygon& p : faces)
-      if (p.size() > 3 && fill_polygon(complex, seeds, p, limits)) ++filled;
+      if (p.size() > 3 && fill_polygon(complex, seeds, bordering, p, limits)) ++filled;
   }
   for (int round = 0; round < rounds; ++round) {
-    clean(complex);
-    if (limits.perimeter > 0) filled += fill_loops(complex, seeds, limits);
+    clean(complex, seeds);
+    if (limits.perimeter > 0) filled += fill_loops(complex, seeds, bordering, limits);
   }
-  if (limits.perimeter > 0) filled += mend_holes(complex, seeds, limits);
-  clean(complex);
+  if (limits.perimeter > 0) filled += mend_holes(complex, seeds, bordering, limits);
+  clean(complex, seeds);
   return filled;
 }
 

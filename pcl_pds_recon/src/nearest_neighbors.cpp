@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/nearest_neighbors.h>
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <pcl_pds_recon/nearest_neighbors.h>
 
 namespace pds
 {
@@ -35,7 +35,11 @@ class BestCandidates
  public:
   explicit BestCandidates(std::size_t k) : best_(k) {}
 
-  void clear() { std::fill(best_.begin(), best_.end(), std::numeric_limits<Candidate>::max()); worst_ = infinity; }
+  void clear()
+  {
+    std::fill(best_.begin(), best_.end(), std::numeric_limits<Candidate>::max());
+    worst_ = infinity;
+  }
   [[nodiscard]] float worst() const { return worst_; }
   [[nodiscard]] const std::vector<Candidate>& sorted() const { return best_; }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <pcl_pds_recon/nearest_neighbors.h>
 #include <pcl_pds_recon/neighbor_graph.h>
 #include <pcl_pds_recon/reconstruction.h>
+#include <algorithm>
 
 namespace pds
 {
@@ -75,7 +75,8 @@ bool contains(const NeighborRows& rows, std::size_t j, std::uint32_t i)
   return std::find(rows.begin(j), rows.end(j), i) != rows.end(j);
 }
 
-/** \brief Mean neighbour distance; per-point means are summed in the order of the points, so that threads don't matter. */
+/** \brief Mean neighbour distance; per-point means are summed in the order of the points, so that threads don't matter.
+ */
 double mean_distance(const OrderedPoints& points, const NeighborRows& rows, const Parallel& parallel)
 {
   std::vector<double> sum(points.size());
@@ -106,7 +107,8 @@ NeighborGraph build_neighbor_graph(const OrderedPoints& points,
     graph.own_count.assign(n, 0);
     return graph;
   }
-  const NeighborRows rows = find_neighbors(points, cloud, std::min<std::size_t>(static_cast<std::size_t>(k), n - 1), parallel);
+  const NeighborRows rows =
+      find_neighbors(points, cloud, std::min<std::size_t>(static_cast<std::size_t>(k), n - 1), parallel);
   graph.sampling_interval = mean_distance(points, rows, parallel);
 
   // Bit i * stride + m: neighbour m of point i does not list i itself, so its row gets i in addition.
@@ -128,8 +130,7 @@ NeighborGraph build_neighbor_graph(const OrderedPoints& points,
     for (const std::uint32_t* j = rows.begin(i); j != rows.end(i); ++j) graph.neighbor[next[i]++] = *j;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t m = 0; m < rows.count[i]; ++m)
-      if (one_sided[i * rows.stride + m] != 0)
-        graph.neighbor[next[rows.begin(i)[m]]++] = static_cast<std::uint32_t>(i);
+      if (one_sided[i * rows.stride + m] != 0) graph.neighbor[next[rows.begin(i)[m]]++] = static_cast<std::uint32_t>(i);
   graph.own_count = rows.count;
   return graph;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
 #include <pcl_pds_recon/options.h>
+#include <cmath>
 
 namespace pds
 {
@@ -23,6 +23,7 @@ void validate(const Options& options)
   require(options.radius >= 0 && std::isfinite(options.radius), "radius must be 0 (automatic) or positive and finite");
   require(within(options.adaptive, 0, 2), "adaptive must be 0 (uniform) to 2");
   require(within(options.voronoi_threshold, 0, 1), "voronoi_threshold must be 0 to 1 radii");
+  require(options.threads <= 1024, "threads must be 0 (all cores) to 1024");
   require(options.hole_size >= 0 && std::isfinite(options.hole_size), "hole_size must be 0 or positive and finite");
 }
 

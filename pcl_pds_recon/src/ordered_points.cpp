@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <pcl_pds_recon/options.h>
 #include <pcl_pds_recon/ordered_points.h>
 #include <pcl_pds_recon/reconstruction.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace pds
@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr std::size_t max_points = (std::size_t{1} << 31) - 1;  // PCL's indices are 32-bit and signed
-constexpr int morton_bits = 21;                                  // per axis; three fill a 64-bit key
+constexpr int morton_bits = 21;                                 // per axis; three fill a 64-bit key
 
 struct KeyedPoint
 {
@@ -77,9 +77,10 @@ void set_frame(const PointCloudView& cloud, OrderedPoints& points)
   }
   if (points.valid_points == 0) return;
   const double extent = (high - low).maxCoeff();
-  if (!std::isfinite(extent)) throw InvalidInput("the extent of the points overflows; scale the coordinates down");
-  points.origin = low + 0.5 * (high - low);
   if (extent > 0) points.unit = std::ldexp(1.0, std::ilogb(extent) + 1);
+  if (!std::isfinite(extent) || !std::isfinite(points.unit))
+    throw InvalidInput("the extent of the points overflows; scale the coordinates down");
+  points.origin = low + 0.5 * (high - low);
 }
 
 class InputOrder

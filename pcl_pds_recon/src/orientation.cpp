@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/orientation.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <pcl_pds_recon/orientation.h>
 
 namespace pds
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/parallel.h>
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <pcl_pds_recon/parallel.h>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -35,7 +36,11 @@ void Parallel::blocks(std::size_t count,
     }
   };
   std::vector<std::thread> others;
-  for (unsigned worker = 1; worker < workers; ++worker) others.emplace_back(work, worker);
+  try {
+    for (unsigned worker = 1; worker < workers; ++worker) others.emplace_back(work, worker);
+  } catch (const std::system_error&) {
+    // The system grants no more threads: those there are do all the work.
+  }
   work(0);
   for (std::thread& other : others) other.join();
   if (first_exception) std::rethrow_exception(first_exception);

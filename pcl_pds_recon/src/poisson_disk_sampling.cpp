@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/geodesic_disk.h>
+#include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <pcl_pds_recon/geodesic_disk.h>
-#include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <tuple>
 
 namespace pds
@@ -122,7 +122,10 @@ void throw_dart(std::uint32_t point, float radius, GeodesicDisk& disk, std::vect
 void NearestSeeds::insert(std::uint32_t new_seed, float new_distance)
 {
   if (new_distance >= distance[capacity - 1]) return;
-  std::size_t place = capacity - 1;
+  // A seed stands here once: its entry moves forward, or the last one makes room.
+  std::size_t place = 0;
+  while (place + 1 < capacity && seed[place] != new_seed) ++place;
+  if (seed[place] == new_seed && distance[place] <= new_distance) return;
   for (; place > 0 && distance[place - 1] > new_distance; --place) {
     distance[place] = distance[place - 1];
     seed[place] = seed[place - 1];
@@ -144,7 +147,7 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
   sampling.radius = radius;
   sampling.nearest.resize(points.size());
   constexpr double rounding_margin = 1.001;  // distances and cell borders are rounded to single precision
-  const std::vector<Dart> darts = 
+  const std::vector<Dart> darts =
       sorted_darts(points, feature_rank, 2 * disk_reach * radius * rounding_margin, seed, parallel);
   const Schedule schedule = schedule_cells(darts);
 

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <fstream>
-#include <numeric>
 #include <pcl_pds_recon/certificate.h>
 #include <pcl_pds_recon/edge_weights.h>
 #include <pcl_pds_recon/geodesic_voronoi.h>
@@ -18,11 +13,18 @@
 #include <pcl_pds_recon/triangle_complex.h>
 #include <pcl_pds_recon/version.h>
 #include <sys/resource.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <numeric>
 
 namespace pds
 {
 namespace
 {
+
+constexpr double largest_radius = 1e9;  // units of position, whose box has side 1: beyond any disk, finite as a float
 
 /** \brief Announces stages and takes their time. */
 class StageClock
@@ -73,20 +75,20 @@ Metric choose_metric(const OrderedPoints& points,
   const WeightLimits limits{absolute ? options.radius / points.unit / interval : options.radius_factor, !absolute};
   metric.weights = curvature_weights(surface, graph, options.adaptive, limits, parallel);
   const double weighted = mean_weighted_interval(points, graph, metric.weights);
-  metric.radius = absolute ? options.radius / points.unit : options.radius_factor * weighted;
+  const double radius = absolute ? options.radius / points.unit : options.radius_factor * weighted;
+  metric.radius = std::min(radius, largest_radius);
   report.sampling_interval = weighted * points.unit;
-  report.radius = metric.radius * points.unit;
+  report.radius = radius * points.unit;
   return metric;
 }
 
-OrientationCues cues_for(const PointCloudView& cloud,
-                         const OrderedPoints& points,
-                         const PoissonDiskSampling& sampling)
+OrientationCues cues_for(const PointCloudView& cloud, const OrderedPoints& points, const PoissonDiskSampling& sampling)
 {
   OrientationCues cues;
   if (cloud.normals)
     for (const std::uint32_t rank : sampling.seeds) cues.normal.push_back(cloud.normals[points.input_index[rank]]);
-  if (cloud.sensor_origin) cues.sensor_origin = (*cloud.sensor_origin - points.origin) / (points.unit * sampling.radius);
+  if (cloud.sensor_origin)
+    cues.sensor_origin = (*cloud.sensor_origin - points.origin) / (points.unit * sampling.radius);
   return cues;
 }
 
@@ -137,6 +139,7 @@ void describe_points(const OrderedPoints& points,
 void report_sampling(const PoissonDiskSampling& sampling, Report& report)
 {
   report.seeds = sampling.seeds.size();
+  if (sampling.seeds.empty()) return;
   double nearest_pair = std::numeric_limits<double>::infinity();
   for (const std::uint32_t s : sampling.seeds)
     nearest_pair = std::min(nearest_pair, static_cast<double>(sampling.nearest[s].distance[1]));
@@ -212,7 +215,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   clock.start("holes", 0.9, report.seconds.holes);
   FillLimits limits;
   limits.perimeter = options.hole_size;
-  report.filled_holes = fill_holes(complex, seeds, faces, limits);
+  report.filled_holes = fill_holes(complex, seeds, BorderingCells(voronoi.pairs), faces, limits);
 
   clock.start("orientation", 0.95, report.seconds.orientation);
   std::vector<std::uint32_t> number_of_seed;

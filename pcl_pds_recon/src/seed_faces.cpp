@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/seed_faces.h>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <pcl_pds_recon/seed_faces.h>
 
 namespace pds
 {
@@ -14,7 +14,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double least_dual_angle = 40 * degree;     // between two faces at an edge; sharper is folded back
 constexpr double first_triple_angle = 63 * degree;   // smooth places first: a wrong triple usually stands up
 constexpr double second_triple_angle = 40 * degree;  // then sharp creases
-constexpr std::size_t longest_face = 64;  // corners; anything longer is a rim, not a face
+constexpr std::size_t longest_face = 64;             // corners; anything longer is a rim, not a face
 
 /** \brief A place in the rotation system: an edge leaving \a from, seen with or against the normal of \a from. */
 struct Dart
@@ -134,8 +134,7 @@ std::vector<Triangle> add_dual_triangles(TriangleComplex& complex,
 {
   std::vector<Triangle> one_sided;
   for (const Polygon& p : faces)
-    if (p.size() == 3 &&
-        complex.add({p[0], p[1], p[2]}, least_dual_angle) == TriangleComplex::Verdict::one_sided)
+    if (p.size() == 3 && complex.add({p[0], p[1], p[2]}, least_dual_angle) == TriangleComplex::Verdict::one_sided)
       one_sided.push_back({p[0], p[1], p[2]});
 
   std::vector<SeedTriple> pending = triples;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/seed_graph.h>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <pcl_pds_recon/seed_graph.h>
 
 namespace pds
 {
@@ -108,6 +108,7 @@ SeedGeometry describe_seeds(const OrderedPoints& points,
   seeds.position.resize(count);
   seeds.normal.resize(count);
   seeds.weight.resize(count);
+  seeds.curvature.assign(count, 0.0);
   constexpr std::size_t block = 256;
   parallel.each(count, block, [&](std::size_t s) {
     seeds.position[s] = points.position[sampling.seeds[s]].cast<double>() / sampling.radius;
@@ -116,7 +117,9 @@ SeedGeometry describe_seeds(const OrderedPoints& points,
     for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i) {
       const Vector3d normal = surface.normal[voronoi.cell_point[i]].cast<double>();
       moment += normal * normal.transpose();
+      seeds.curvature[s] += static_cast<double>(surface.curvature[voronoi.cell_point[i]]);
     }
+    seeds.curvature[s] /= static_cast<double>(voronoi.cell_begin[s + 1] - voronoi.cell_begin[s]);
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(moment);
     seeds.normal[s] = solver.eigenvectors().col(2);

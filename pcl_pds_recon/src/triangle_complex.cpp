@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/triangle_complex.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <pcl_pds_recon/triangle_complex.h>
 
 namespace pds
 {
@@ -125,7 +125,7 @@ bool TriangleComplex::orientable_with(const Triangle& t, const std::array<std::u
 
 TriangleComplex::Verdict TriangleComplex::judge(const Triangle& t, double smallest_angle) const
 {
-  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || flat(t)) return Verdict::edge_full;
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || flat(t)) return Verdict::degenerate;
   const double largest_cosine = std::cos(smallest_angle);
   std::array<std::uint32_t, 3> across{};
   const auto edges = edges_of(t);
@@ -139,8 +139,8 @@ TriangleComplex::Verdict TriangleComplex::judge(const Triangle& t, double smalle
     if (across[e] == no_face) continue;
     const Triangle& other = face_[across[e]];
     const std::uint32_t apex = other[0] + other[1] + other[2] - edges[e].from - edges[e].to;
-    if (apex == edges[e].apex || fold_cosine(position_[edges[e].from], position_[edges[e].to],
-                                             position_[edges[e].apex], position_[apex]) > largest_cosine)
+    if (apex == edges[e].apex || fold_cosine(position_[edges[e].from], position_[edges[e].to], position_[edges[e].apex],
+                                             position_[apex]) > largest_cosine)
       return Verdict::folded;
   }
   return orientable_with(t, across) ? Verdict::legal : Verdict::one_sided;
@@ -250,8 +250,8 @@ std::size_t TriangleComplex::remove_pinches()
     for (const std::uint32_t v : pending) {
       const auto all = fans(v);
       if (all.size() < 2) continue;
-      const auto largest = std::max_element(all.begin(), all.end(),
-                                            [](const auto& x, const auto& y) { return x.size() < y.size(); });
+      const auto largest =
+          std::max_element(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.size() < y.size(); });
       for (auto fan = all.begin(); fan != all.end(); ++fan) {
         if (fan == largest) continue;
         for (const std::uint32_t f : *fan) {

@@ -16,11 +16,11 @@ struct Certificate
   std::size_t vertices = 0;  ///< that have a face
   std::size_t faces = 0;
   std::size_t edges = 0;
-  std::size_t components = 0;             ///< connected by edges
-  std::size_t nonmanifold_edges = 0;      ///< more than two faces
-  std::size_t nonmanifold_vertices = 0;   ///< faces that are not a single fan
-  std::size_t inconsistent_edges = 0;     ///< both faces run along it in the same direction
-  long long euler = 0;                    ///< vertices - edges + faces
+  std::size_t components = 0;                              ///< connected by edges
+  std::size_t nonmanifold_edges = 0;                       ///< more than two faces
+  std::size_t nonmanifold_vertices = 0;                    ///< faces that are not a single fan
+  std::size_t inconsistent_edges = 0;                      ///< both faces run along it in the same direction
+  long long euler = 0;                                     ///< vertices - edges + faces
   std::vector<std::vector<std::uint32_t>> boundary_loops;  ///< in the direction of the faces
 };
 

@@ -31,7 +31,10 @@ class GeodesicDisk
     float distance;
   };
 
-  GeodesicDisk(const OrderedPoints& points, const NeighborGraph& graph, const EdgeWeights& weights, GeodesicSolver solver);
+  GeodesicDisk(const OrderedPoints& points,
+               const NeighborGraph& graph,
+               const EdgeWeights& weights,
+               GeodesicSolver solver);
 
   /** \brief Settles all points within \a limit of \a source, nearest first. O(m k log m) for m points.
    * \return the points reached, the source first; valid until the next call

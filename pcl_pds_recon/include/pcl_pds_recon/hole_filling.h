@@ -18,15 +18,34 @@ struct FillLimits
   double smallest_angle = 0.7;  ///< least angle that two faces may enclose at an edge, radians
 };
 
+/** \brief Says whether the Voronoi cells of two seeds share a border. */
+class BorderingCells
+{
+ public:
+  /** \param pairs ascending by (a, b); must outlive this object */
+  explicit BorderingCells(const std::vector<SeedPair>& pairs) : pairs_(pairs) {}
+  [[nodiscard]] bool operator()(std::uint32_t s, std::uint32_t t) const;
+
+ private:
+  const std::vector<SeedPair>& pairs_;
+};
+
 /** \brief Holes of the complex: closed chains of boundary edges, each run through with the hole on the left.
  * Every vertex must have a single fan. */
 [[nodiscard]] std::vector<Polygon> boundary_loops(const TriangleComplex& complex);
 
 /** \brief Triangulates one polygon by the constrained Delaunay rule: of all triangulations whose chords are new and
  * that fold nowhere, the one with the least sum of squared circumradii. O(n^3) for n corners.
- * \return false if the polygon is too long or has no such triangulation; the complex is then as before
+ *
+ * A polygon beyond the perimeter limit may be a gap in the data. It is filled only by triangles of the Voronoi dual:
+ * every chord must join bordering cells, which proves that there are points all along.
+ * \return false if there is no such triangulation; the complex is then as before
  */
-bool fill_polygon(TriangleComplex& complex, const SeedGeometry& seeds, const Polygon& polygon, const FillLimits& limits);
+bool fill_polygon(TriangleComplex& complex,
+                  const SeedGeometry& seeds,
+                  const BorderingCells& bordering,
+                  const Polygon& polygon,
+                  const FillLimits& limits);
 
 /** \brief Fills the faces of more than three sides that lie wholly in the open, then all holes of the complex within
  * the limits, shortest first (paper, flowchart step 8). Before, between and after, what cannot stay goes: pinched
@@ -34,6 +53,7 @@ bool fill_polygon(TriangleComplex& complex, const SeedGeometry& seeds, const Pol
  * \return the number of polygons of more than three sides filled */
 std::size_t fill_holes(TriangleComplex& complex,
                        const SeedGeometry& seeds,
+                       const BorderingCells& bordering,
                        const std::vector<Polygon>& faces,
                        const FillLimits& limits);
 

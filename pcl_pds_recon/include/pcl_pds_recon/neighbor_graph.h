@@ -28,10 +28,10 @@ struct NeighborSpan
  */
 struct NeighborGraph
 {
-  std::vector<std::size_t> row_begin;     ///< size n + 1
-  std::vector<std::uint32_t> neighbor;    ///< ranks
-  std::vector<std::uint16_t> own_count;   ///< length of the leading part that are the point's own nearest neighbours
-  double sampling_interval = 0;           ///< mean distance from a point to its own neighbours, in units of position
+  std::vector<std::size_t> row_begin;    ///< size n + 1
+  std::vector<std::uint32_t> neighbor;   ///< ranks
+  std::vector<std::uint16_t> own_count;  ///< length of the leading part that are the point's own nearest neighbours
+  double sampling_interval = 0;          ///< mean distance from a point to its own neighbours, in units of position
 
   [[nodiscard]] std::size_t size() const { return own_count.size(); }
   /** \brief All points joined to \a i by an edge. */

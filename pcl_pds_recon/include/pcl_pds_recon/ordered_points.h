@@ -13,19 +13,19 @@ namespace pds
 
 /** \brief The distinct finite points of a cloud in an order that depends on nothing but their coordinates.
  *
- * Positions are relative to the centre of the bounding box and scaled by a power of two into [-0.5, 0.5], so that single
- * precision loses nothing on coordinates far from the origin and squares neither overflow nor vanish. The order follows
- * a Morton curve: neighbours in space are close in memory.
+ * Positions are relative to the centre of the bounding box and scaled by a power of two into [-0.5, 0.5], so that
+ * single precision loses nothing on coordinates far from the origin and squares neither overflow nor vanish. The order
+ * follows a Morton curve: neighbours in space are close in memory.
  */
 struct OrderedPoints
 {
-  std::vector<Eigen::Vector3f> position;      ///< by rank
-  std::vector<std::uint32_t> input_index;     ///< by rank: the input point that represents this place
-  std::vector<std::uint32_t> rank_of_input;   ///< by input index: rank of its representative, or no_label
-  Eigen::Vector3d origin{0, 0, 0};            ///< input coordinates of position 0
-  double unit = 1;                            ///< input units per unit of position
-  std::size_t valid_points = 0;               ///< input points with finite coordinates
-  std::size_t merged_points = 0;              ///< of these, represented by a coincident one
+  std::vector<Eigen::Vector3f> position;     ///< by rank
+  std::vector<std::uint32_t> input_index;    ///< by rank: the input point that represents this place
+  std::vector<std::uint32_t> rank_of_input;  ///< by input index: rank of its representative, or no_label
+  Eigen::Vector3d origin{0, 0, 0};           ///< input coordinates of position 0
+  double unit = 1;                           ///< input units per unit of position
+  std::size_t valid_points = 0;              ///< input points with finite coordinates
+  std::size_t merged_points = 0;             ///< of these, represented by a coincident one
 
   [[nodiscard]] std::size_t size() const { return position.size(); }
 };

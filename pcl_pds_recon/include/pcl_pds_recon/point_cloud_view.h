@@ -64,7 +64,7 @@ struct PointCloudView
 {
   std::size_t size = 0;   ///< number of points, below 2^31
   Vector3View positions;  ///< coordinates, in any unit and at any distance from the origin
-  Vector3View normals;    ///< optional unit normals; if present they decide the orientation of open surfaces
+  Vector3View normals;    ///< optional; they decide the orientation of open surfaces. NaN or zero ones have no say
   std::optional<Eigen::Vector3d> sensor_origin;  ///< optional; open surfaces without normals face it
 
   /** \brief Optional strict weak order of two points by all their field bytes; of several coincident points the first
@@ -73,7 +73,7 @@ struct PointCloudView
 
   /** \brief Optional neighbour search that replaces the built-in one: writes the indices of the \a count points
    * nearest to point \a query, in any order and with or without the query itself, fewer if there are no more.
-   * Called from one thread. */
+   * Called from one thread. Indices of points that are not part of the view or not finite are ignored. */
   std::function<void(std::uint32_t query, std::size_t count, std::vector<std::uint32_t>& neighbors)> neighbor_search;
 };
 

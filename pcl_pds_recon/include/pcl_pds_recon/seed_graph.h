@@ -17,6 +17,7 @@ struct SeedGeometry
   std::vector<Eigen::Vector3d> position;  ///< in radii, so that every length in the later stages is in radii
   std::vector<Eigen::Vector3d> normal;    ///< unit, of arbitrary sign: principal axis of the cell's point normals
   std::vector<double> weight;             ///< the run's metric at the seed
+  std::vector<double> curvature;          ///< mean over the cell, see SurfaceEstimate
 };
 
 /** \brief Graph of adjacent seeds that is planar in every tangent plane (paper, flowchart step 7). */

@@ -28,10 +28,11 @@ class TriangleComplex
   enum class Verdict
   {
     legal,
-    edge_full,     ///< one of its edges has two faces already, or the triangle has a repeated or flat corner
-    link_broken,   ///< a vertex would get a closed fan and something else
-    one_sided,     ///< the surface would not be orientable
-    folded         ///< it would fold back on a neighbour
+    degenerate,   ///< a corner occurs twice, or the triangle is flat
+    edge_full,    ///< one of its edges has two faces already
+    link_broken,  ///< a vertex would get a closed fan and something else
+    one_sided,    ///< the surface would not be orientable
+    folded        ///< it would fold back on a neighbour
   };
 
   explicit TriangleComplex(const std::vector<Eigen::Vector3d>& position);
@@ -110,8 +111,8 @@ class TriangleComplex
   std::vector<Triangle> face_;
   std::vector<std::uint8_t> present_;
   std::vector<std::vector<std::uint32_t>> faces_at_;
-  std::vector<std::uint32_t> parent_;   ///< union-find over faces
-  std::vector<std::uint8_t> flip_;      ///< orientation relative to the parent
+  std::vector<std::uint32_t> parent_;  ///< union-find over faces
+  std::vector<std::uint8_t> flip_;     ///< orientation relative to the parent
 };
 
 }  // namespace pds
