@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/options.h>
+
+#include <array>
+#include <limits>
+
+#include "core_testing.h"
+
+namespace pds_test
+{
+namespace
+{
+
+pds::OrderedPoints ordered(const Points& points) { return pds::order_points(view_of(points), pds::Parallel(2)); }
+
+TEST(OrderedPoints, MergesCoincidentPointsIntoTheFirst)
+{
+  const pds::OrderedPoints points = ordered({{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {1, 2, 3}, {0, 0, 1}});
+  EXPECT_EQ(points.size(), 3U);
+  EXPECT_EQ(points.valid_points, 5U);
+  EXPECT_EQ(points.merged_points, 2U);
+  EXPECT_EQ(points.rank_of_input[0], points.rank_of_input[2]);
+  EXPECT_EQ(points.rank_of_input[0], points.rank_of_input[3]);
+  EXPECT_EQ(points.input_index[points.rank_of_input[3]], 0U);
+}
+
+TEST(OrderedPoints, LetsTheRecordsDecideWhoRepresentsAPlace)
+{
+  const Points input(5, Eigen::Vector3d(1, 2, 3));
+  const std::array<int, 5> intensity{7, 4, 9, 4, 8};
+  pds::PointCloudView cloud = view_of(input);
+  cloud.record_less = [&](std::uint32_t a, std::uint32_t b) { return intensity[a] < intensity[b]; };
+  const pds::OrderedPoints points = pds::order_points(cloud, pds::Parallel(1));
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points.input_index[0], 1U) << "of the two of lowest intensity, the first";
+}
+
+TEST(OrderedPoints, SkipsPointsThatAreNotFinite)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const pds::OrderedPoints points = ordered({{nan, 0, 0}, {0, 0, 0}, {0, inf, 0}, {1, 1, 1}, {0, 0, -inf}});
+  EXPECT_EQ(points.size(), 2U);
+  EXPECT_EQ(points.valid_points, 2U);
+  EXPECT_EQ(points.merged_points, 0U);
+  for (const std::size_t i : {0U, 2U, 4U}) EXPECT_EQ(points.rank_of_input[i], pds::no_label);
+  for (const std::size_t i : {1U, 3U}) EXPECT_EQ(points.input_index[points.rank_of_input[i]], i);
+}
+
+TEST(OrderedPoints, TakesMinusZeroForZero)
+{
+  EXPECT_EQ(ordered({{0.0, 1, 1}, {-0.0, 1, 1}, {1, 0.0, 0.0}, {1, -0.0, 0.0}}).size(), 2U);
+}
+
+TEST(OrderedPoints, DoesNotDependOnTheInputOrder)
+{
+  Points input = joined(torus(3000), torus(500));  // the second are coincident with some of the first
+  const pds::OrderedPoints first = ordered(input);
+  EXPECT_EQ(first.size(), 3000U);
+  Random(5).shuffle(input);
+  const pds::OrderedPoints second = ordered(input);
+  EXPECT_EQ(first.position, second.position);
+  EXPECT_EQ(first.origin, second.origin);
+  EXPECT_EQ(first.unit, second.unit);
+}
+
+TEST(OrderedPoints, KeepsMillimetresFarFromTheOrigin)
+{
+  Points input;
+  for (int i = 0; i < 1000; ++i) input.emplace_back(5e6 + 0.001 * i, 4e6 - 0.002 * i, 100 + 0.001 * (i % 7));
+  const pds::OrderedPoints points = ordered(input);
+  EXPECT_EQ(points.size(), input.size());
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    const Eigen::Vector3d local = points.position[points.rank_of_input[i]].cast<double>();
+    const Eigen::Vector3d restored = points.origin + points.unit * local;
+    constexpr double rounding = 2e-9;  // of a double of this size, twice
+    EXPECT_LE((restored - input[i]).cwiseAbs().maxCoeff(), points.unit * std::ldexp(1.0, -26) + rounding);
+  }
+}
+
+TEST(OrderedPoints, GivesTheSamePositionsAtAnyPowerOfTwo)
+{
+  const Points input = sphere(500);
+  const pds::OrderedPoints reference = ordered(input);
+  for (const int exponent : {-1000, -300, -30, 30, 300, 1000}) {
+    Points scaled = input;
+    for (Eigen::Vector3d& p : scaled) p *= std::ldexp(1.0, exponent);
+    const pds::OrderedPoints points = ordered(scaled);
+    EXPECT_EQ(points.position, reference.position) << "scaled by 2^" << exponent;
+    EXPECT_EQ(points.unit, std::ldexp(reference.unit, exponent));
+  }
+}
+
+TEST(OrderedPoints, FitsPositionsIntoTheUnitCube)
+{
+  for (const double scale : {1e-320, 1e-30, 0.7, 3.0, 1e30, 4e307}) {
+    Points input = cube(200);
+    for (Eigen::Vector3d& p : input) p *= scale;
+    const pds::OrderedPoints points = ordered(input);
+    float largest = 0;
+    for (const Eigen::Vector3f& p : points.position) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    EXPECT_LE(largest, 0.5F) << "scale " << scale;
+    EXPECT_GE(largest, 0.24F) << "scale " << scale;
+  }
+}
+
+TEST(OrderedPoints, RefusesAnExtentThatOverflows)
+{
+  for (const double end : {8e307, 1e308})  // the power of two above the extent overflows; the extent does
+    EXPECT_THROW(ordered({{-end, 0, 0}, {end, 0, 0}, {0, 1, 0}}), pds::InvalidInput) << end;
+}
+
+TEST(OrderedPoints, ReadsFloatAndDoubleAlike)
+{
+  const Points input = sphere(300);
+  std::vector<Eigen::Vector3f> single;
+  Points rounded;
+  for (const Eigen::Vector3d& p : input) {
+    single.push_back(p.cast<float>());
+    rounded.push_back(single.back().cast<double>());
+  }
+  pds::PointCloudView cloud;
+  cloud.size = single.size();
+  cloud.positions = pds::Vector3View(single.front().data(), sizeof(Eigen::Vector3f));
+  EXPECT_EQ(pds::order_points(cloud, pds::Parallel(1)).position, ordered(rounded).position);
+}
+
+TEST(OrderedPoints, TakesAnEmptyCloud)
+{
+  const pds::OrderedPoints points = ordered({});
+  EXPECT_EQ(points.size(), 0U);
+  EXPECT_EQ(points.valid_points, 0U);
+}
+
+}  // namespace
+}  // namespace pds_test
