@@ -240,8 +240,6 @@ bool refill_without(TriangleComplex& complex,
     if (!wider.empty() && fill_polygon(complex, seeds, bordering, wider, limits)) return true;
     break;
   }
-  // What the failed filling left among the orientation constraints must not keep the old faces out.
-  complex.rebuild_orientation();
   for (const Triangle& t : taken) complex.add(t, 0.0);
   return false;
 }
@@ -254,7 +252,7 @@ bool mend_hole(TriangleComplex& complex,
                const FillLimits& limits)
 {
   FillLimits wider = limits;
-  wider.perimeter *= widening;
+  if (perimeter(seeds, loop) <= limits.perimeter) wider.perimeter *= widening;
   for (std::size_t i = 0; i < loop.size(); ++i)
     for (const std::uint32_t f : complex.faces_at(loop[i])) {
       const Triangle t = complex.oriented(f);
@@ -327,10 +325,10 @@ bool fill_polygon(TriangleComplex& complex,
   const bool may_be_gap = perimeter(seeds, polygon) > limits.perimeter;
   const PolygonTriangulation triangulation(complex, may_be_gap ? &bordering : nullptr, polygon, limits);
   if (!triangulation.exists()) return false;
-  const std::size_t before = complex.face_capacity();
+  complex.begin_trial();
   for (const Triangle& t : triangulation.triangles())
     if (complex.add(t, limits.smallest_angle) != TriangleComplex::Verdict::legal) {
-      for (std::size_t f = before; f < complex.face_capacity(); ++f) complex.remove(static_cast<std::uint32_t>(f));
+      complex.undo_trial();
       return false;
     }
   return true;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/nearest_neighbors.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include "neighbor_kernel.h"
 
 namespace pds
 {
@@ -69,6 +71,16 @@ struct Box
     high = high.cwiseMax(other.high);
   }
 
+  [[nodiscard]] float squared_distance(const Box& other) const
+  {
+    float sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float gap = std::max({low[axis] - other.high[axis], other.low[axis] - high[axis], 0.0F});
+      sum += gap * gap;
+    }
+    return sum;
+  }
+
   [[nodiscard]] float squared_distance(const Eigen::Vector3f& p) const
   {
     float sum = 0;
@@ -130,6 +142,33 @@ class BoxTree
     }
   }
 
+  [[nodiscard]] std::size_t leaf_count() const { return (position_.size() + leaf_size - 1) / leaf_size; }
+  [[nodiscard]] const Box& leaf_box(std::size_t leaf) const { return box_[first_leaf_ + leaf]; }
+
+  /** \brief Leaves within a distance of a box, ascending; false if they hold more than \a most_points. */
+  bool gather_leaves(const Box& box,
+                     float squared_reach,
+                     std::size_t most_points,
+                     std::vector<std::size_t>& leaves) const
+  {
+    leaves.clear();
+    std::size_t stack[64];
+    std::size_t depth = 0;
+    stack[depth++] = 1;
+    while (depth > 0) {
+      const std::size_t node = stack[--depth];
+      if (box_[node].squared_distance(box) > squared_reach) continue;
+      if (node < first_leaf_) {
+        stack[depth++] = 2 * node + 1;
+        stack[depth++] = 2 * node;
+      } else {
+        leaves.push_back(node - first_leaf_);
+        if (leaves.size() * leaf_size > most_points) return false;
+      }
+    }
+    return true;
+  }
+
  private:
   void scan_leaf(std::size_t node, const Eigen::Vector3f& q, std::uint32_t query, BestCandidates& best) const
   {
@@ -148,6 +187,90 @@ class BoxTree
   std::size_t first_leaf_ = 1;
 };
 
+/** \brief Searches for all points of a leaf together: they share their candidates.
+ *
+ * All points within a guessed reach of the leaf are candidates. A query that finds k of them within the reach has found
+ * its true neighbours, for every other point is farther away. The guess comes from the leaf before, which is close by;
+ * what it fails for is searched point by point.
+ */
+class LeafSearch
+{
+ public:
+  LeafSearch(const BoxTree& tree, const std::vector<Eigen::Vector3f>& position, std::size_t k)
+      : tree_(tree),
+        position_(position),
+        k_(k),
+        set_(best_instruction_set()),
+        best_(k),
+        most_candidates_(candidates_per_neighbor * (k + 1))
+  {
+    columns_.reserve(most_candidates_ + leaf_size);
+  }
+
+  /** \param rows receives k indices for every point of the leaf */
+  void search(std::size_t leaf, std::uint32_t* rows)
+  {
+    const std::size_t begin = leaf * leaf_size;
+    const std::size_t end = std::min(begin + leaf_size, position_.size());
+    const float squared_reach = reach_ * reach_;
+    const bool common =
+        reach_ > 0 && tree_.gather_leaves(tree_.leaf_box(leaf), squared_reach, most_candidates_, leaves_);
+    if (common) load_candidates();
+    // The box distance and the point distances are rounded separately: what is this close to the reach counts as
+    // beyond.
+    constexpr float inside = 0.9999F;
+    float farthest = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3f& q = position_[i];
+      const NeighborQuery query{q.x(), q.y(), q.z(), static_cast<std::uint32_t>(i), inside * squared_reach};
+      std::uint32_t* row = rows + (i - begin) * k_;
+      float last = common ? select_nearest(set_, columns_, query, k_, scratch_, row) : infinity;
+      if (last == infinity) last = search_alone(query.self, row);
+      farthest = std::max(farthest, last);
+    }
+    reach_ = reach_growth * std::sqrt(farthest);
+  }
+
+ private:
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  static constexpr std::size_t candidates_per_neighbor = 64;  // on a surface a leaf has about 10
+  static constexpr float reach_growth = 1.15F;  // on random points: few failures, few superfluous candidates
+
+  void load_candidates()
+  {
+    std::size_t count = 0;
+    for (const std::size_t leaf : leaves_) {
+      const std::size_t end = std::min((leaf + 1) * leaf_size, position_.size());
+      for (std::size_t i = leaf * leaf_size; i < end; ++i, ++count) {
+        columns_.x[count] = position_[i].x();
+        columns_.y[count] = position_[i].y();
+        columns_.z[count] = position_[i].z();
+        columns_.index[count] = static_cast<std::uint32_t>(i);
+      }
+    }
+    columns_.count = count;
+  }
+
+  /** \return the squared distance of the k-th neighbour */
+  float search_alone(std::uint32_t i, std::uint32_t* row)
+  {
+    tree_.search(i, best_);
+    for (std::size_t j = 0; j < k_; ++j) row[j] = static_cast<std::uint32_t>(best_.sorted()[j] & 0xffffffffU);
+    return best_.worst();
+  }
+
+  const BoxTree& tree_;
+  const std::vector<Eigen::Vector3f>& position_;
+  std::size_t k_;
+  InstructionSet set_;
+  BestCandidates best_;
+  std::size_t most_candidates_;
+  float reach_ = 0;  ///< guess for the next leaf; 0 = none
+  std::vector<std::size_t> leaves_;
+  CandidateColumns columns_;
+  SelectionScratch scratch_;
+};
+
 }  // namespace
 
 std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
@@ -156,14 +279,10 @@ std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>&
 {
   const BoxTree tree(position);
   std::vector<std::uint32_t> neighbors(position.size() * k);
-  constexpr std::size_t block = 1024;
-  parallel.blocks(position.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
-    BestCandidates best(k);
-    for (std::size_t i = begin; i < end; ++i) {
-      tree.search(static_cast<std::uint32_t>(i), best);
-      for (std::size_t j = 0; j < k; ++j)
-        neighbors[i * k + j] = static_cast<std::uint32_t>(best.sorted()[j] & 0xffffffffU);
-    }
+  constexpr std::size_t leaves_per_block = 128;
+  parallel.blocks(tree.leaf_count(), leaves_per_block, [&](std::size_t begin, std::size_t end, unsigned) {
+    LeafSearch search(tree, position, k);
+    for (std::size_t leaf = begin; leaf < end; ++leaf) search.search(leaf, neighbors.data() + leaf * leaf_size * k);
   });
   return neighbors;
 }

@@ -159,6 +159,7 @@ void TriangleComplex::join(std::uint32_t face)
     if (mine.face == theirs.face) continue;
     // Lower number becomes the root: chains stay short in practice and the outcome is the same every time.
     const bool opposed = runs_along(face_[other], e.from, e.to);
+    undo_.push_back({mine.face, parent_[mine.face], flip_[mine.face]});
     parent_[mine.face] = theirs.face;
     flip_[mine.face] = static_cast<std::uint8_t>(mine.flipped ^ theirs.flipped ^ opposed);
   }
@@ -193,6 +194,26 @@ void TriangleComplex::remove(std::uint32_t face)
   }
 }
 
+void TriangleComplex::begin_trial()
+{
+  trial_begin_ = face_.size();
+  undo_.clear();
+}
+
+void TriangleComplex::undo_trial()
+{
+  for (auto link = undo_.rbegin(); link != undo_.rend(); ++link) {
+    parent_[link->face] = link->parent;
+    flip_[link->face] = link->flip;
+  }
+  undo_.clear();
+  for (std::size_t f = trial_begin_; f < face_.size(); ++f) remove(static_cast<std::uint32_t>(f));
+  face_.resize(trial_begin_);
+  present_.resize(trial_begin_);
+  parent_.resize(trial_begin_);
+  flip_.resize(trial_begin_);
+}
+
 void TriangleComplex::rebuild_orientation()
 {
   for (std::uint32_t f = 0; f < face_.size(); ++f) {
@@ -201,6 +222,7 @@ void TriangleComplex::rebuild_orientation()
   }
   for (std::uint32_t f = 0; f < face_.size(); ++f)
     if (present_[f] != 0) join(f);
+  undo_.clear();
 }
 
 std::vector<std::uint32_t> TriangleComplex::faces() const

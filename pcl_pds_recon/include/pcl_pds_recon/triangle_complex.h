@@ -47,6 +47,10 @@ class TriangleComplex
 
   void remove(std::uint32_t face);
 
+  /** \brief Marks the present state; undo_trial() returns to it if faces were only added since. */
+  void begin_trial();
+  void undo_trial();
+
   /** \brief Where a vertex has several fans, removes all but the one with most faces; repeats until none is left.
    * \return the number of faces removed */
   std::size_t remove_pinches();
@@ -60,9 +64,6 @@ class TriangleComplex
   [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] int face_count(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] const std::vector<Eigen::Vector3d>& position() const { return position_; }
-
-  /** \brief Faces are numbered in order of insertion; the next one gets this number. */
-  [[nodiscard]] std::size_t face_capacity() const { return face_.size(); }
 
   /** \brief Numbers of the faces that are present, ascending. */
   [[nodiscard]] std::vector<std::uint32_t> faces() const;
@@ -91,6 +92,11 @@ class TriangleComplex
   {
     std::uint32_t from, to, apex;
   };
+  struct Link
+  {
+    std::uint32_t face, parent;
+    std::uint8_t flip;
+  };
   struct Root
   {
     std::uint32_t face;
@@ -113,6 +119,8 @@ class TriangleComplex
   std::vector<std::vector<std::uint32_t>> faces_at_;
   std::vector<std::uint32_t> parent_;  ///< union-find over faces
   std::vector<std::uint8_t> flip_;     ///< orientation relative to the parent
+  std::size_t trial_begin_ = 0;        ///< faces before the trial
+  std::vector<Link> undo_;             ///< links of roots as they were before they were joined in the trial
 };
 
 }  // namespace pds
