@@ -150,9 +150,8 @@ TEST(GeodesicDisk, DijkstraFindsShortestPathsAndIsNeverBelowFastMarching)
     std::vector<float> marched(stages.points.size(), std::numeric_limits<float>::infinity());
     for (const auto& r : grown(stages, source, limit)) marched[r.point] = r.distance;
     const Reached paths = grown(stages, source, limit, uniform_weights, GeodesicSolver::dijkstra);
-    EXPECT_EQ(static_cast<long>(paths.size()), std::count_if(truth.begin(), truth.end(), [&](float d) {
-                return d <= static_cast<float>(limit);
-              }));
+    EXPECT_EQ(static_cast<long>(paths.size()),
+              std::count_if(truth.begin(), truth.end(), [&](float d) { return d <= static_cast<float>(limit); }));
     for (const auto& r : paths) {
       EXPECT_FLOAT_EQ(r.distance, truth[r.point]);
       EXPECT_LE(marched[r.point], r.distance * 1.000001F);

@@ -116,7 +116,7 @@ void measure(const Triangles& triangles, const std::vector<Vector3d>& position, 
     const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
     facts.longest_edge = std::max(facts.longest_edge, longest);
     facts.area += 0.5 * twice_area;
-    facts.volume += (a - position.front()).dot((b - position.front()).cross(c - position.front())) / 6.0;
+    facts.volume += a.dot(b.cross(c)) / 6.0;
     constexpr double least_height = 1e-12;  // of the longest edge
     if (!(twice_area > least_height * longest * longest)) ++facts.degenerate_faces;
     std::sort(t.begin(), t.end());
@@ -139,9 +139,19 @@ bool pierces(const Vector3d& p, const Vector3d& q, const Vector3d& a, const Vect
 
 }  // namespace
 
-MeshFacts examine(const Triangles& triangles, const std::vector<Vector3d>& position)
+MeshFacts examine(const Triangles& triangles, const std::vector<Vector3d>& original)
 {
   MeshFacts facts;
+  if (triangles.empty()) return facts;
+  // To the size of one, so that no square overflows or vanishes.
+  std::vector<Vector3d> position = original;
+  double scale = 0;
+  for (Vector3d& p : position) {
+    p -= original[triangles[0][0]];
+    scale = std::max(scale, p.cwiseAbs().maxCoeff());
+  }
+  if (scale > 0)
+    for (Vector3d& p : position) p /= scale;
   const Sides sides = sides_of(triangles);
   facts.faces = triangles.size();
   facts.edges = sides.size();
@@ -158,6 +168,9 @@ MeshFacts examine(const Triangles& triangles, const std::vector<Vector3d>& posit
   count_loops(sides, facts);
   count_vertices(triangles, facts);
   measure(triangles, position, facts);
+  facts.longest_edge *= scale;
+  facts.area *= scale * scale;
+  facts.volume *= scale * scale * scale;
   return facts;
 }
 

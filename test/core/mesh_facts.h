@@ -40,6 +40,7 @@ struct MeshFacts
 [[nodiscard]] MeshFacts examine(const Triangles& triangles, const std::vector<Eigen::Vector3d>& position);
 
 /** \brief Edges that pierce a face with which they share no corner. O(faces^2). */
-[[nodiscard]] std::size_t count_piercing_edges(const Triangles& triangles, const std::vector<Eigen::Vector3d>& position);
+[[nodiscard]] std::size_t count_piercing_edges(const Triangles& triangles,
+                                               const std::vector<Eigen::Vector3d>& position);
 
 }  // namespace pds_test

@@ -163,8 +163,7 @@ TEST_P(SamplingTest, WitnessesLieBetweenTheirTwoNearestSeeds)
     std::size_t witnesses = 0;
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {
-      const bool between = from[i].size() > 1 &&
-                           from[i][1].distance <= static_cast<float>(sampling_.radius) &&
+      const bool between = from[i].size() > 1 && from[i][1].distance <= static_cast<float>(sampling_.radius) &&
                            from[i][1].distance - from[i][0].distance < static_cast<float>(threshold * sampling_.radius);
       wrong += (voronoi.witness[i] != 0) == between ? 0 : 1;
       witnesses += between ? 1 : 0;

@@ -168,10 +168,7 @@ TEST(TriangleComplex, ForgetsConstraintsOfRemovedFacesWhenTold)
 }
 
 /** \brief Two triangles at the edge (0, 1) that enclose \a angle. */
-Points hinge(double angle)
-{
-  return {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, std::cos(angle), std::sin(angle)}};
-}
+Points hinge(double angle) { return {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, std::cos(angle), std::sin(angle)}}; }
 
 TEST(TriangleComplex, RefusesAFaceThatFoldsBack)
 {

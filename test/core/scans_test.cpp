@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "core_testing.h"
+#include "io/ply_header.h"
+#include "io/read_points.h"
+
+/** \brief Real scans, where they are at hand: what holds for any cloud, and how whole the meshes are. */
+namespace pds_test
+{
+namespace
+{
+
+std::string path_of(const std::string& file) { return std::string(SCAN_DIRECTORY) + "/" + file; }
+
+bool is_absent(const std::string& file) { return !std::filesystem::exists(path_of(file)); }
+
+#define SKIP_IF_ABSENT(file) \
+  if (is_absent(file)) GTEST_SKIP() << path_of(file) << " is not there (CMake option PCL_PDS_RECON_SCAN_DIR)"
+
+/** \brief A scan as its file gives it, with normals and sensor if there are any. */
+struct Scan
+{
+  explicit Scan(const std::string& file) : table(pds::read_points(path_of(file)))
+  {
+    const pds::PointCloudView view = table.view();
+    for (std::size_t i = 0; i < view.size; ++i) points.push_back(view.positions[i]);
+  }
+
+  pds::PointTable table;
+  Points points;
+};
+
+pds::Options adaptive(double coefficient)
+{
+  pds::Options options;
+  options.adaptive = coefficient;
+  return options;
+}
+
+struct Result
+{
+  pds::Reconstruction mesh;
+  MeshFacts facts;
+
+  [[nodiscard]] double largest_share() const
+  {
+    return static_cast<double>(facts.largest_component) / static_cast<double>(facts.faces);
+  }
+};
+
+Result run(const pds::PointCloudView& cloud, const Points& points, const pds::Options& options)
+{
+  Result result{pds::reconstruct(cloud, options), {}};
+  result.facts = expect_sound(result.mesh, points);
+  std::cout << "adaptive " << options.adaptive << ": " << result.facts.vertices << " vertices, "
+            << result.facts.boundary_loops << " loops, " << result.facts.components << " components, largest "
+            << result.largest_share() << ", " << result.mesh.report.seconds.total << " s\n";
+  return result;
+}
+
+Result run(const Scan& scan, double coefficient) { return run(scan.table.view(), scan.points, adaptive(coefficient)); }
+
+class RawScan : public testing::TestWithParam<const char*>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Files,
+    RawScan,
+    testing::Values("bunny_rawscans.ply", "dragon_stand_rawscans.ply", "csite2_utm.pcd", "table_scene_mug.pcd"),
+    [](const auto& test) {
+      const std::string file = test.param;
+      return file.substr(0, file.find('.'));
+    });
+
+TEST_P(RawScan, GivesASoundMesh)
+{
+  SKIP_IF_ABSENT(GetParam());
+  const Scan scan(GetParam());
+  for (const double coefficient : {0.0, 0.25}) EXPECT_GT(run(scan, coefficient).facts.faces, 1000U);
+}
+
+TEST(Dragon, IsNearlyWhole)
+{
+  SKIP_IF_ABSENT("dragon_vrip.ply");
+  const Scan scan("dragon_vrip.ply");
+  const Result uniform = run(scan, 0);
+  EXPECT_LE(uniform.facts.boundary_loops, 2U);
+  EXPECT_GE(uniform.largest_share(), 0.998);
+  EXPECT_GE(uniform.facts.vertices, 14000U);
+  EXPECT_LE(uniform.facts.vertices, 16500U);
+  const Result finer = run(scan, 0.3);
+  EXPECT_LE(finer.facts.boundary_loops, 3U);
+  EXPECT_GE(finer.largest_share(), 0.998);
+}
+
+class Terrain : public testing::TestWithParam<const char*>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Files, Terrain, testing::Values("jacksboro_dem.ply", "autzen_crop.ply"), [](const auto& test) {
+  const std::string file = test.param;
+  return file.substr(0, file.find('.'));
+});
+
+TEST_P(Terrain, IsOneSheetWithoutBridges)
+{
+  SKIP_IF_ABSENT(GetParam());
+  const Scan scan(GetParam());
+  const Result uniform = run(scan, 0);
+  EXPECT_LE(uniform.facts.longest_edge, 4 * uniform.mesh.report.radius);
+  EXPECT_GE(uniform.largest_share(), 0.95);
+  EXPECT_GE(uniform.facts.boundary_loops, 1U);
+  run(scan, 0.25);
+}
+
+/** \brief Random points, spread evenly by area, of a triangle mesh in a binary PLY file. */
+Points sample_mesh(const std::string& file, std::size_t count)
+{
+  std::ifstream stream(path_of(file), std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const pds::PlyHeader header = pds::parse_ply_header(bytes);
+  const Scan corners(file);
+  constexpr std::size_t vertex_bytes = 3 * sizeof(float);
+  constexpr std::size_t face_bytes = 1 + 3 * sizeof(std::uint32_t);
+  const std::size_t faces = header.elements.at(1).count;
+  const std::size_t begin = header.bytes + corners.points.size() * vertex_bytes;
+  if (bytes.size() != begin + faces * face_bytes) throw std::runtime_error(file + " is not a plain triangle mesh");
+
+  std::vector<std::array<std::uint32_t, 3>> triangles(faces);
+  std::vector<double> area_up_to;
+  double area = 0;
+  for (std::size_t f = 0; f < faces; ++f) {
+    std::memcpy(triangles[f].data(), bytes.data() + begin + f * face_bytes + 1, face_bytes - 1);
+    const auto corner = [&](std::size_t c) { return corners.points.at(triangles[f][c]); };
+    area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    area_up_to.push_back(area);
+  }
+  Random random(1);
+  Points points;
+  while (points.size() < count) {
+    const auto place = std::upper_bound(area_up_to.begin(), area_up_to.end(), random.uniform(0, area));
+    if (place == area_up_to.end()) continue;
+    const auto& t = triangles[static_cast<std::size_t>(place - area_up_to.begin())];
+    const double root = std::sqrt(random.uniform());
+    const double along = random.uniform();
+    const Eigen::Vector3d p = (1 - root) * corners.points[t[0]] + root * (1 - along) * corners.points[t[1]] +
+                              root * along * corners.points[t[2]];
+    points.push_back(p.cast<float>().cast<double>());  // as a scanner's file would hold it
+  }
+  return points;
+}
+
+struct Model
+{
+  const char* file;
+  std::size_t points;
+  long long genus;
+
+  friend void PrintTo(const Model& model, std::ostream* stream) { *stream << model.file; }
+};
+
+class SampledModel : public testing::TestWithParam<Model>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Files,
+                         SampledModel,
+                         testing::Values(Model{"nefertiti.ply", 500000, 0},
+                                         Model{"rocker-arm.ply", 300000, 1},
+                                         Model{"fandisk_large.ply", 300000, 0}),
+                         [](const auto& test) {
+                           std::string name = test.param.file;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name.substr(0, name.find('.'));
+                         });
+
+TEST_P(SampledModel, IsClosedAndOfTheRightGenus)
+{
+  SKIP_IF_ABSENT(GetParam().file);
+  const Points points = sample_mesh(GetParam().file, GetParam().points);
+  for (const double coefficient : {0.0, 0.25})
+    expect_closed(run(view_of(points), points, adaptive(coefficient)).mesh, points, GetParam().genus);
+}
+
+}  // namespace
+}  // namespace pds_test
