@@ -177,6 +177,20 @@ void merge_triples(std::vector<SeedTriple>& triples)
   if (!triples.empty()) triples.resize(last + 1);
 }
 
+/** \brief Drops evidence for edges that no two overlapping disks could give: it leaps a gap in the points. */
+void drop_leaps(const OrderedPoints& points, const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi)
+{
+  const auto limit = static_cast<float>(longest_dual_edge * sampling.radius);
+  const auto leaps = [&](std::uint32_t s, std::uint32_t t) {
+    return (points.position[sampling.seeds[s]] - points.position[sampling.seeds[t]]).norm() > limit;
+  };
+  const auto pair_leaps = [&](const SeedPair& p) { return leaps(p.a, p.b); };
+  const auto triple_leaps = [&](const SeedTriple& t) { return leaps(t.a, t.b) || leaps(t.b, t.c) || leaps(t.a, t.c); };
+  voronoi.pairs.erase(std::remove_if(voronoi.pairs.begin(), voronoi.pairs.end(), pair_leaps), voronoi.pairs.end());
+  voronoi.triples.erase(std::remove_if(voronoi.triples.begin(), voronoi.triples.end(), triple_leaps),
+                        voronoi.triples.end());
+}
+
 template <typename T>
 void append(std::vector<T>& all, const std::vector<T>& more)
 {
@@ -213,6 +227,7 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   }
   merge_pairs(voronoi.pairs);
   merge_triples(voronoi.triples);
+  drop_leaps(points, sampling, voronoi);
   return voronoi;
 }
 

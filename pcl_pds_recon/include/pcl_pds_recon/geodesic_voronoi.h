@@ -10,6 +10,10 @@
 namespace pds
 {
 
+/** \brief Longest edge of the mesh, in radii. Two disks that overlap give at most 2 disk_reach; where the points thin
+ * out, cells touch across wider spaces. */
+constexpr double longest_dual_edge = 3.9;
+
 /** \brief Evidence that the Voronoi cells of two seeds share a border. */
 struct SeedPair
 {

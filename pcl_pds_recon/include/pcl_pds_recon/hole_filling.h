@@ -13,9 +13,9 @@ namespace pds
 /** \brief What a filling may do. Lengths are in radii. */
 struct FillLimits
 {
-  double perimeter = 15.0;      ///< longest perimeter of a hole, in the run's metric
-  double chord = 3.9;           ///< longest new edge: twice the reach of two disks that meet cannot be exceeded by much
-  double smallest_angle = 0.7;  ///< least angle that two faces may enclose at an edge, radians
+  double perimeter = 15.0;           ///< longest perimeter of a hole, in the run's metric
+  double chord = longest_dual_edge;  ///< longest new edge
+  double smallest_angle = 0.7;       ///< least angle that two faces may enclose at an edge, radians
 };
 
 /** \brief Says whether the Voronoi cells of two seeds share a border. */
