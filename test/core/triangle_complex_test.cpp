@@ -63,7 +63,7 @@ TEST(TriangleComplex, RefusesAThirdFaceAtAnEdge)
   EXPECT_EQ(complex.add({1, 0, 3}, any_angle), Verdict::legal);
   EXPECT_EQ(complex.face_count(0, 1), 2);
   EXPECT_EQ(complex.add({0, 1, 4}, any_angle), Verdict::edge_full);
-  EXPECT_EQ(complex.face_capacity(), 2U) << "a refused face leaves no trace";
+  EXPECT_EQ(complex.faces().size(), 2U) << "a refused face leaves no trace";
   EXPECT_FALSE(complex.has_edge(0, 4));
 }
 
@@ -243,6 +243,40 @@ TEST_P(TriangleSoup, BecomesAManifoldInAnyOrder)
   const MeshFacts facts = examine(oriented_faces(complex), position);
   EXPECT_GT(facts.faces, 0U);
   EXPECT_EQ(facts.nonmanifold_edges + facts.nonmanifold_vertices + facts.inconsistent_edges, 0U);
+}
+
+/** A twin that never saw the trials must be indistinguishable. */
+TEST_P(TriangleSoup, ForgetsAnUndoneTrial)
+{
+  Random random(GetParam());
+  constexpr std::uint32_t vertices = 12;
+  Points position;
+  for (std::size_t i = 0; i < vertices; ++i) position.push_back(random.in_box(1));
+  const auto random_triangle = [&random] {
+    const auto corner = [&random] { return static_cast<std::uint32_t>(random.below(vertices)); };
+    return Triangle{corner(), corner(), corner()};
+  };
+  TriangleComplex complex(position);
+  TriangleComplex twin(position);
+  for (int trial = 0; trial < 8; ++trial) {
+    complex.begin_trial();
+    std::size_t tried = 0;
+    for (int i = 0; i < 100; ++i) tried += complex.add(random_triangle(), any_angle) == Verdict::legal ? 1 : 0;
+    if (trial == 0) {
+      EXPECT_GT(tried, 3U);
+    }
+    complex.undo_trial();
+    for (int i = 0; i < 25; ++i) {
+      const Triangle t = random_triangle();
+      ASSERT_EQ(complex.add(t, any_angle), twin.add(t, any_angle));
+    }
+    ASSERT_EQ(complex.faces(), twin.faces());
+    for (const std::uint32_t f : twin.faces()) ASSERT_EQ(complex.oriented(f), twin.oriented(f));
+    for (std::uint32_t a = 0; a < vertices; ++a)
+      for (std::uint32_t b = 0; b < a; ++b)
+        for (std::uint32_t c = 0; c < b; ++c)
+          ASSERT_EQ(complex.judge({a, b, c}, any_angle), twin.judge({a, b, c}, any_angle));
+  }
 }
 
 }  // namespace
