@@ -8,6 +8,7 @@ namespace pds
 namespace
 {
 
+constexpr float good_enough = 1.001F;  // times the Euclidean distance: a tenth of the solver's own error
 constexpr std::size_t initial_table_size = 1024;  // a power of two; a disk of 3 intervals touches about 200 points
 
 /** \brief Distance of p from a source that lies at distance ta from a and tb from b, by unfolding into the plane of
@@ -52,7 +53,7 @@ const std::vector<GeodesicDisk::Reached>& GeodesicDisk::grow(std::uint32_t sourc
   nodes_.clear();
   front_.clear();
   reached_.clear();
-  source_ = source;
+  source_position_ = points_.position[source];
   push(find_or_add(source));
   const auto later = [](const Front& x, const Front& y) {
     return x.distance > y.distance || (x.distance == y.distance && x.point > y.point);
@@ -81,10 +82,16 @@ void GeodesicDisk::push(std::uint32_t node)
 void GeodesicDisk::relax_neighbors(std::uint32_t settled_node, float limit)
 {
   for (const std::uint32_t neighbor : graph_.neighbors(nodes_[settled_node].point)) {
+    const float euclidean = (points_.position[neighbor] - source_position_).norm();
+    if (euclidean > limit) continue;
     const std::size_t known = nodes_.size();
     const std::uint32_t node = find_or_add(neighbor);
-    if (node == known) nodes_[node].path = nodes_[node].distance = std::numeric_limits<float>::infinity();
-    if (nodes_[node].settled) continue;
+    if (node == known) {
+      nodes_[node].path = nodes_[node].distance = std::numeric_limits<float>::infinity();
+      nodes_[node].euclidean = euclidean;
+    }
+    // A settled point is final, and no update beats the Euclidean distance by more than is worth having.
+    if (nodes_[node].settled || nodes_[node].distance <= good_enough * euclidean) continue;
     const float before = nodes_[node].distance;
     relax(settled_node, node);
     if (nodes_[node].distance < before && nodes_[node].distance <= limit) push(node);
@@ -112,8 +119,7 @@ void GeodesicDisk::relax(std::uint32_t settled_node, std::uint32_t node)
     p.nearest = settled_node;
   }
   // Neither below the Euclidean distance nor before a point that is already settled.
-  const float euclidean = (pp - points_.position[source_]).norm();
-  p.distance = std::min(p.distance, std::max({distance, euclidean, a.distance}));
+  p.distance = std::min(p.distance, std::max({distance, p.euclidean, a.distance}));
 }
 
 std::uint32_t GeodesicDisk::find_or_add(std::uint32_t point)

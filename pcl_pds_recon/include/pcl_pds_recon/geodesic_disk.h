@@ -51,6 +51,7 @@ class GeodesicDisk
     std::uint32_t nearest = none;  ///< node of the settled neighbour that gave the shortest edge path
     float path = 0;                ///< length of that path
     float distance = 0;            ///< best distance so far
+    float euclidean = 0;           ///< straight from the source: a lower bound
     bool settled = false;
   };
 
@@ -72,7 +73,7 @@ class GeodesicDisk
   const NeighborGraph& graph_;
   const EdgeWeights& weights_;
   GeodesicSolver solver_;
-  std::uint32_t source_ = none;
+  Eigen::Vector3f source_position_{0, 0, 0};
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> table_;  ///< open addressing: point -> node
   std::vector<Front> front_;          ///< binary heap
