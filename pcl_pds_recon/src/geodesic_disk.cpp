@@ -8,7 +8,7 @@ namespace pds
 namespace
 {
 
-constexpr float good_enough = 1.001F;  // times the Euclidean distance: a tenth of the solver's own error
+constexpr float good_enough = 1.001F;             // times the Euclidean distance: a tenth of the solver's own error
 constexpr std::size_t initial_table_size = 1024;  // a power of two; a disk of 3 intervals touches about 200 points
 
 /** \brief Distance of p from a source that lies at distance ta from a and tb from b, by unfolding into the plane of

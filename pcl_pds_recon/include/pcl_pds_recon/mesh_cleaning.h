@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_pds_recon/seed_graph.h>
+#include <pcl_pds_recon/triangle_complex.h>
+
+namespace pds
+{
+
+/** \brief Removes what cannot stay: folds, all but the largest fan at pinched vertices, and small components that are
+ * no surface (specks of a few faces, scatter left by points that fill a volume). Afterwards every vertex has one fan.
+ */
+void clean_mesh(TriangleComplex& complex, const SeedGeometry& seeds);
+
+}  // namespace pds
