@@ -110,7 +110,7 @@ class CellSurvey
 
   [[nodiscard]] bool adjacent(std::uint32_t i, std::uint32_t j) const
   {
-    const NeighborSpan row = graph_.neighbors(i);
+    const NeighborRange row = graph_.neighbors(i);
     return std::find(row.begin(), row.end(), j) != row.end();
   }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include <pcl_pds_recon/ordered_points.h>
@@ -11,7 +12,7 @@
 namespace pds
 {
 
-/** \brief A row of neighbours. */
+/** \brief A point's own nearest neighbours, nearest first. */
 struct NeighborSpan
 {
   const std::uint32_t* first;
@@ -21,28 +22,74 @@ struct NeighborSpan
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(last - first); }
 };
 
-/** \brief Symmetric k-nearest-neighbour graph in compressed rows (paper, flowchart step 1).
+/** \brief All points joined to one: its own neighbours, then those that count it among theirs. */
+class NeighborRange
+{
+ public:
+  class Iterator
+  {
+   public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = std::uint32_t;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const std::uint32_t*;
+    using reference = const std::uint32_t&;
+
+    Iterator(pointer at, pointer own_end, pointer reverse_begin)
+        : at_(at == own_end ? reverse_begin : at), own_end_(own_end), reverse_begin_(reverse_begin)
+    {
+    }
+    reference operator*() const { return *at_; }
+    Iterator& operator++()
+    {
+      if (++at_ == own_end_) at_ = reverse_begin_;
+      return *this;
+    }
+    Iterator operator++(int)
+    {
+      Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return at_ == other.at_; }
+    bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+
+   private:
+    pointer at_, own_end_, reverse_begin_;
+  };
+
+  NeighborRange(NeighborSpan own, NeighborSpan reverse) : own_(own), reverse_(reverse) {}
+  [[nodiscard]] Iterator begin() const { return {own_.first, own_.last, reverse_.first}; }
+  [[nodiscard]] Iterator end() const { return {reverse_.last, own_.last, reverse_.first}; }
+  [[nodiscard]] std::size_t size() const { return own_.size() + reverse_.size(); }
+
+ private:
+  NeighborSpan own_, reverse_;
+};
+
+/** \brief Symmetric k-nearest-neighbour graph (paper, flowchart step 1).
  *
- * Each row lists the point's own k nearest neighbours by ascending distance, then the points that count it among theirs
- * by ascending rank. Equal distances are ordered by rank, so the graph does not depend on the input order.
+ * Equal distances are ordered by rank, so the graph does not depend on the input order.
  */
 struct NeighborGraph
 {
-  std::vector<std::size_t> row_begin;    ///< size n + 1
-  std::vector<std::uint32_t> neighbor;   ///< ranks
-  std::vector<std::uint16_t> own_count;  ///< length of the leading part that are the point's own nearest neighbours
-  double sampling_interval = 0;          ///< mean distance from a point to its own neighbours, in units of position
+  std::size_t stride = 0;                  ///< room for own neighbours per point
+  std::vector<std::uint32_t> own;          ///< own nearest neighbours, by ascending distance, at rank * stride
+  std::vector<std::uint16_t> own_count;    ///< how many these are
+  std::vector<std::size_t> reverse_begin;  ///< size n + 1
+  std::vector<std::uint32_t> reverse;      ///< points that list this one without being listed, by ascending rank
+  double sampling_interval = 0;            ///< mean distance to the own neighbours, in units of position
 
   [[nodiscard]] std::size_t size() const { return own_count.size(); }
-  /** \brief All points joined to \a i by an edge. */
-  [[nodiscard]] NeighborSpan neighbors(std::size_t i) const
-  {
-    return {neighbor.data() + row_begin[i], neighbor.data() + row_begin[i + 1]};
-  }
   /** \brief The k nearest neighbours of \a i (fewer in a smaller cloud), nearest first. */
   [[nodiscard]] NeighborSpan nearest(std::size_t i) const
   {
-    return {neighbor.data() + row_begin[i], neighbor.data() + row_begin[i] + own_count[i]};
+    return {own.data() + i * stride, own.data() + i * stride + own_count[i]};
+  }
+  /** \brief All points joined to \a i by an edge. */
+  [[nodiscard]] NeighborRange neighbors(std::size_t i) const
+  {
+    return {nearest(i), {reverse.data() + reverse_begin[i], reverse.data() + reverse_begin[i + 1]}};
   }
 };
 

@@ -17,11 +17,11 @@ namespace pds
 /** \brief The nearest seeds of a point, nearest first: where several disks overlap, the Voronoi diagram shows. */
 struct NearestSeeds
 {
-  static constexpr std::size_t capacity = 4;  ///< three meet at a Voronoi vertex; one more where four nearly do
+  static constexpr std::size_t capacity = 3;  ///< three meet at a Voronoi vertex
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  std::array<std::uint32_t, capacity> seed{none, none, none, none};
-  std::array<float, capacity> distance{infinity, infinity, infinity, infinity};
+  std::array<std::uint32_t, capacity> seed{none, none, none};
+  std::array<float, capacity> distance{infinity, infinity, infinity};
 
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
