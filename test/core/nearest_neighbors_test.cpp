@@ -97,14 +97,14 @@ TEST(NeighborGraph, IsSymmetricAndItsRowsAreOrdered)
   };
   for (std::uint32_t i = 0; i < graph.size(); ++i) {
     const pds::NeighborSpan own = graph.nearest(i);
-    const pds::NeighborSpan all = graph.neighbors(i);
+    const pds::NeighborRange all = graph.neighbors(i);
     EXPECT_EQ(own.size(), 15U);
     EXPECT_TRUE(std::is_sorted(own.begin(), own.end(),
                                [&](std::uint32_t a, std::uint32_t b) { return distance(i, a) < distance(i, b); }));
     EXPECT_TRUE(std::is_sorted(own.end(), all.end()));
     EXPECT_EQ(std::set<std::uint32_t>(all.begin(), all.end()).size(), all.size()) << "no neighbour twice";
     for (const std::uint32_t j : all) {
-      const pds::NeighborSpan back = graph.neighbors(j);
+      const pds::NeighborRange back = graph.neighbors(j);
       ASSERT_EQ(std::count(back.begin(), back.end(), i), 1) << i << " is a neighbour of " << j << " too";
     }
   }
@@ -155,8 +155,8 @@ TEST(NeighborGraph, UsesTheCallersSearch)
   const Stages own(input);
   const pds::NeighborGraph graph = pds::build_neighbor_graph(own.points, cloud, 15, pds::Parallel(2));
   EXPECT_GE(calls, 400U);
-  EXPECT_EQ(graph.neighbor, own.graph.neighbor);
-  EXPECT_EQ(graph.row_begin, own.graph.row_begin);
+  EXPECT_EQ(graph.own, own.graph.own);
+  EXPECT_EQ(graph.reverse, own.graph.reverse);
   EXPECT_EQ(graph.sampling_interval, own.graph.sampling_interval);
 }
 
