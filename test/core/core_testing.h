@@ -19,6 +19,13 @@
 namespace pds_test
 {
 
+/** \brief Sanitizers make the largest clouds take minutes, and see as much in smaller ones. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::size_t large_cloud = 20000;
+#else
+constexpr std::size_t large_cloud = 100000;
+#endif
+
 /** \brief View of points that must stay alive as long as it. */
 inline pds::PointCloudView view_of(const Points& points)
 {
