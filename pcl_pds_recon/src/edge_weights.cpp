@@ -109,16 +109,15 @@ EdgeWeights curvature_weights(const SurfaceEstimate& surface,
                               const WeightLimits& limits,
                               const Parallel& parallel)
 {
-  EdgeWeights weights;
-  if (coefficient == 0) return weights;
-  weights.weight = smoothed(surface.curvature, weight_smoothing, graph, parallel);
-  const double mean_curvature = mean(weights.weight);
+  if (coefficient == 0) return {};
+  std::vector<float> weight = smoothed(surface.curvature, weight_smoothing, graph, parallel);
+  const double mean_curvature = mean(weight);
   if (mean_curvature <= 0) return {};
-  for (float& w : weights.weight)
+  for (float& w : weight)
     w = static_cast<float>(std::exp(std::min(coefficient * static_cast<double>(w) / mean_curvature, largest_exponent)));
-  const auto largest = static_cast<float>(largest_weight(weights.weight, limits));
-  for (float& w : weights.weight) w = std::min(w, largest);
-  return weights;
+  const auto largest = static_cast<float>(largest_weight(weight, limits));
+  for (float& w : weight) w = std::min(w, largest);
+  return EdgeWeights(std::move(weight));
 }
 
 double mean_weighted_interval(const OrderedPoints& points, const NeighborGraph& graph, const EdgeWeights& weights)

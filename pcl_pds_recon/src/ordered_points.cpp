@@ -77,7 +77,7 @@ void set_frame(const PointCloudView& cloud, OrderedPoints& points)
   }
   if (points.valid_points == 0) return;
   const double extent = (high - low).maxCoeff();
-  if (extent > 0) points.unit = std::ldexp(1.0, std::ilogb(extent) + 1);
+  if (extent > 0 && std::isfinite(extent)) points.unit = std::ldexp(1.0, std::ilogb(extent) + 1);
   if (!std::isfinite(extent) || !std::isfinite(points.unit))
     throw InvalidInput("the extent of the points overflows; scale the coordinates down");
   points.origin = low + 0.5 * (high - low);

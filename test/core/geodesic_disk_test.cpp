@@ -19,6 +19,9 @@ using TrueDistance = std::function<double(const Eigen::Vector3d&, const Eigen::V
 
 const pds::EdgeWeights uniform_weights;
 
+/** \brief The solver stops improving a distance that is this near to the straight one. */
+constexpr float good_enough = 1.00101F;
+
 Reached grown(const Stages& stages,
               std::uint32_t source,
               double limit,
@@ -150,11 +153,14 @@ TEST(GeodesicDisk, DijkstraFindsShortestPathsAndIsNeverBelowFastMarching)
     std::vector<float> marched(stages.points.size(), std::numeric_limits<float>::infinity());
     for (const auto& r : grown(stages, source, limit)) marched[r.point] = r.distance;
     const Reached paths = grown(stages, source, limit, uniform_weights, GeodesicSolver::dijkstra);
-    EXPECT_EQ(static_cast<long>(paths.size()),
-              std::count_if(truth.begin(), truth.end(), [&](float d) { return d <= static_cast<float>(limit); }));
+    std::vector<std::uint8_t> found(truth.size());
+    for (const auto& r : paths) found[r.point] = 1;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      EXPECT_TRUE(found[i] != 0 || truth[i] * good_enough > static_cast<float>(limit)) << "point " << i;
     for (const auto& r : paths) {
-      EXPECT_FLOAT_EQ(r.distance, truth[r.point]);
-      EXPECT_LE(marched[r.point], r.distance * 1.000001F);
+      EXPECT_GE(r.distance, truth[r.point] * 0.999999F);
+      EXPECT_LE(r.distance, truth[r.point] * good_enough);
+      EXPECT_LE(marched[r.point], r.distance * good_enough);
     }
   }
 }
@@ -192,11 +198,12 @@ TEST(GeodesicDisk, ScalesWithAConstantWeight)
   const double limit = 5 * stages.graph.sampling_interval;
   const Reached plain = grown(stages, 77, limit);
   for (const float weight : {2.0F, 1.7F}) {
-    const pds::EdgeWeights weights{std::vector<float>(stages.points.size(), weight)};
+    const pds::EdgeWeights weights(std::vector<float>(stages.points.size(), weight));
     std::vector<float> distance(stages.points.size(), -1.0F);
     for (const auto& r : grown(stages, 77, static_cast<double>(weight) * limit * 1.0001, weights))
       distance[r.point] = r.distance;
-    for (const auto& r : plain) EXPECT_NEAR(distance[r.point], weight * r.distance, 1e-5F * weight * r.distance);
+    for (const auto& r : plain)
+      EXPECT_NEAR(distance[r.point], weight * r.distance, (good_enough - 1) * weight * r.distance);
   }
 }
 
@@ -207,15 +214,15 @@ TEST(GeodesicDisk, IntegratesAWeightThatVaries)
   const Stages stages(input);
   const auto place = [&](std::uint32_t i) { return input[stages.points.input_index[i]]; };
   const auto weight_at = [](double x) { return 1.5 + 0.5 * x; };
-  pds::EdgeWeights weights;
+  std::vector<float> weight;
   const Eigen::Vector3d start(-0.5, 0, 0);
   std::uint32_t source = 0;
   for (std::uint32_t i = 0; i < stages.points.size(); ++i) {
-    weights.weight.push_back(static_cast<float>(weight_at(place(i).x())));
+    weight.push_back(static_cast<float>(weight_at(place(i).x())));
     if ((place(i) - start).norm() < (place(source) - start).norm()) source = i;
   }
   std::size_t ahead = 0;
-  for (const auto& r : grown(stages, source, 2.0 / stages.points.unit, weights)) {
+  for (const auto& r : grown(stages, source, 2.0 / stages.points.unit, pds::EdgeWeights(weight))) {
     const double way = place(r.point).x() - place(source).x();
     if (way < 0.3 || std::abs(place(r.point).y() - place(source).y()) > 0.02) continue;
     const double expected = way * weight_at(place(source).x() + way / 2);

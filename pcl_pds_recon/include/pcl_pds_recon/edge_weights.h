@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <pcl_pds_recon/neighbor_graph.h>
@@ -20,12 +22,25 @@ struct SurfaceEstimate
  *
  * Weights are at least 1, so that no distance falls below the Euclidean one.
  */
-struct EdgeWeights
+class EdgeWeights
 {
-  std::vector<float> weight;  ///< per point; empty = 1 everywhere (uniform reconstruction)
+ public:
+  /** \brief The uniform metric: weight 1 everywhere. */
+  EdgeWeights() = default;
+  /** \param weight per point, at least 1; empty = uniform */
+  explicit EdgeWeights(std::vector<float> weight)
+      : weight_(std::move(weight)), least_(weight_.empty() ? 1.0F : *std::min_element(weight_.begin(), weight_.end()))
+  {
+  }
 
-  [[nodiscard]] bool uniform() const { return weight.empty(); }
-  [[nodiscard]] float at(std::size_t i) const { return weight.empty() ? 1.0F : weight[i]; }
+  [[nodiscard]] bool uniform() const { return weight_.empty(); }
+  [[nodiscard]] float at(std::size_t i) const { return weight_.empty() ? 1.0F : weight_[i]; }
+  /** \brief The least weight of all: times the Euclidean distance, a lower bound of every distance. */
+  [[nodiscard]] float least() const { return least_; }
+
+ private:
+  std::vector<float> weight_;
+  float least_ = 1.0F;
 };
 
 /** \brief Fits a plane to every point and its own nearest neighbours. O(n k). */

@@ -51,7 +51,7 @@ class GeodesicDisk
     std::uint32_t nearest = none;  ///< node of the settled neighbour that gave the shortest edge path
     float path = 0;                ///< length of that path
     float distance = 0;            ///< best distance so far
-    float euclidean = 0;           ///< straight from the source: a lower bound
+    float lower_bound = 0;         ///< straight from the source at the least weight
     bool settled = false;
   };
 
@@ -73,6 +73,7 @@ class GeodesicDisk
   const NeighborGraph& graph_;
   const EdgeWeights& weights_;
   GeodesicSolver solver_;
+  float good_enough_;
   Eigen::Vector3f source_position_{0, 0, 0};
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> table_;  ///< open addressing: point -> node
