@@ -86,8 +86,9 @@ void apply(const po::variables_map& values, const std::string& source, CommandLi
     // An option that is off is saved with an empty file name.
     const bool is_unset_file = !source.empty() && argument.empty();
     if (!is_unset_file && !row.set(command_line, argument)) {
-      throw UsageError(source + "--" + row.name + ": '" + argument +
-                       "' does not fit: " + (row.is_switch() ? "true or false" : row.help));
+      std::string message = source;
+      message.append("--").append(row.name).append(": '").append(argument).append("' does not fit: ");
+      throw UsageError(message.append(row.is_switch() ? "true or false" : row.help));
     }
   }
 }

@@ -96,9 +96,10 @@ std::vector<OptionRow> make_table()
       number("adaptive", 'a', "C", "curvature coefficient, 0 ... 2; 0: uniform", &Options::adaptive),
       number("voronoi-threshold", 0, "X", "witness points: distances to two seeds differ by < X radii, 0 ... 1",
              &Options::voronoi_threshold),
-      number("hole-size", 0, "X", "perimeter limit of filled holes in radii; 0: Voronoi dual triangles only",
+      number("hole-size", 0, "X", "perimeter limit in radii of holes that may be gaps; 0: Voronoi dual triangles only",
              &Options::hole_size),
-      number("threads", 'j', "N", "worker threads, 0 ... 1024; 0: all cores. The mesh does not depend on it", &Options::threads),
+      number("threads", 'j', "N", "worker threads, 0 ... 1024; 0: all cores. The mesh does not depend on it",
+             &Options::threads),
       number("seed", 0, "N", "picks one of the equally valid samplings", &Options::seed),
       ascii_switch(),
       file("report", "FILE.json", "write counts, topology certificate and times", &CommandLine::report_file, true),
@@ -151,7 +152,7 @@ std::string help_text()
          "  pcl_pds_recon --config config/dragon.ini dragon.ply mesh.ply\n"
          "\nExit status:\n"
          "  0  OUTPUT is complete\n"
-         "  1  INPUT or a file to be written is at fault; nothing was written\n"
+         "  1  INPUT or a file to be written is at fault; OUTPUT was not written\n"
          "  2  the command line or the configuration file is at fault\n";
 }
 

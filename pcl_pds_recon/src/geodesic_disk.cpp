@@ -2,6 +2,7 @@
 #include <pcl_pds_recon/geodesic_disk.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pds
 {

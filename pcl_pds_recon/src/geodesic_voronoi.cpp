@@ -42,7 +42,8 @@ class CellSurvey
     for (const std::uint32_t* point = begin; point != end; ++point) {
       survey_witness(seed, *point);
       survey_borders(seed, *point);
-      survey_corners(seed, *point);
+      survey_corners(seed);
+      survey_equidistant(*point);
     }
   }
 
@@ -96,22 +97,29 @@ class CellSurvey
     }
   }
 
-  /** \brief Graph triangles with three labels. */
-  void survey_corners(std::uint32_t seed, std::uint32_t point)
+  /** \brief Graph triangles with three labels. One walk over each row, looking up who else is a neighbour: rows times
+   * rows would be cubic in k. */
+  void survey_corners(std::uint32_t seed)
   {
-    for (std::size_t i = 0; i < others_.size(); ++i)
-      for (std::size_t j = i + 1; j < others_.size(); ++j)
-        if (others_[i].label != others_[j].label && adjacent(others_[i].point, others_[j].point))
-          vote(seed, others_[i].label, others_[j].label);
+    const auto is_third = [this](const Other& other) { return other.label != others_.front().label; };
+    if (std::none_of(others_.begin(), others_.end(), is_third)) return;
+    std::sort(others_.begin(), others_.end(), [](const Other& x, const Other& y) { return x.point < y.point; });
+    for (const Other& other : others_)
+      for (const std::uint32_t next : graph_.neighbors(other.point)) {
+        if (next <= other.point) continue;
+        const auto place = std::lower_bound(others_.begin(), others_.end(), next,
+                                            [](const Other& x, std::uint32_t p) { return x.point < p; });
+        if (place != others_.end() && place->point == next && place->label != other.label)
+          vote(seed, other.label, place->label);
+      }
+  }
+
+  /** \brief A point about as far from three seeds is near the place where their cells meet. */
+  void survey_equidistant(std::uint32_t point)
+  {
     const NearestSeeds& nearest = sampling_.nearest[point];
     if (nearest.distance[2] - nearest.distance[0] < corner_threshold * static_cast<float>(sampling_.radius))
       vote(nearest.seed[0], nearest.seed[1], nearest.seed[2]);
-  }
-
-  [[nodiscard]] bool adjacent(std::uint32_t i, std::uint32_t j) const
-  {
-    const NeighborRange row = graph_.neighbors(i);
-    return std::find(row.begin(), row.end(), j) != row.end();
   }
 
   struct Other

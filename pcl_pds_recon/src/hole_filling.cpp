@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace pds
@@ -149,7 +148,7 @@ std::size_t fill_loops(TriangleComplex& complex,
   std::sort(order.begin(), order.end());
   std::size_t filled = 0;
   for (const auto& [length, i] : order)
-    if (fill_polygon(complex, seeds, bordering, loops[i], limits)) ++filled;
+    if (fill_polygon(complex, seeds, bordering, loops[i], limits) && loops[i].size() > 3) ++filled;
   return filled;
 }
 
@@ -228,7 +227,7 @@ std::size_t mend_holes(TriangleComplex& complex,
   for (const Polygon& loop : boundary_loops(complex)) {
     if (loop.size() > most_corners) continue;
     // An earlier loop's mending may have changed this one.
-    if (loop_through(complex, loop.front()).size() != loop.size()) continue;
+    if (loop_through(complex, loop.front()) != loop) continue;
     if (mend_hole(complex, seeds, bordering, loop, limits)) ++mended;
   }
   return mended;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/nearest_neighbors.h>
 #include <pcl_pds_recon/neighbor_graph.h>
-#include <pcl_pds_recon/reconstruction.h>
 #include <algorithm>
 
 namespace pds
@@ -26,7 +25,7 @@ void search_row(const OrderedPoints& points, const PointCloudView& cloud, std::u
     cloud.neighbor_search(points.input_index[rank], count, found);
     ranks.clear();
     for (const std::uint32_t index : found)
-      if (index < points.rank_of_input.size() && points.rank_of_input[index] != no_label &&
+      if (index < points.rank_of_input.size() && points.rank_of_input[index] != no_rank &&
           points.rank_of_input[index] != rank)
         ranks.push_back(points.rank_of_input[index]);
     std::sort(ranks.begin(), ranks.end());

@@ -78,7 +78,12 @@ float select_baseline(
   return select(c, q, k, s, n);
 }
 
-[[gnu::target("avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512")]] float select_avx512(
+#if defined(__clang__)
+#define PDS_AVX512 "avx512f,avx512vl,avx512bw,avx512dq"
+#else
+#define PDS_AVX512 "avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512"
+#endif
+[[gnu::target(PDS_AVX512)]] float select_avx512(
     const CandidateColumns& c, const NeighborQuery& q, std::size_t k, SelectionScratch& s, std::uint32_t* n)
 {
   return select(c, q, k, s, n);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/options.h>
 #include <pcl_pds_recon/ordered_points.h>
-#include <pcl_pds_recon/reconstruction.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pds
@@ -134,7 +134,7 @@ OrderedPoints order_points(const PointCloudView& cloud, const Parallel& parallel
   parallel.each(keyed.size(), block, [&](std::size_t i) { keyed[i].key = morton_key(order.local(keyed[i].index)); });
   sort_by_key(keyed);
 
-  points.rank_of_input.assign(cloud.size, no_label);
+  points.rank_of_input.assign(cloud.size, no_rank);
   points.position.reserve(keyed.size());
   points.input_index.reserve(keyed.size());
   for (std::size_t begin = 0; begin < keyed.size();) {

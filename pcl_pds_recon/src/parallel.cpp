@@ -4,7 +4,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -37,9 +36,10 @@ void Parallel::blocks(std::size_t count,
   };
   std::vector<std::thread> others;
   try {
+    others.reserve(workers);
     for (unsigned worker = 1; worker < workers; ++worker) others.emplace_back(work, worker);
-  } catch (const std::system_error&) {
-    // The system grants no more threads: those there are do all the work.
+  } catch (...) {
+    // No more threads, or no memory for them: those there are do all the work.
   }
   work(0);
   for (std::thread& other : others) other.join();

@@ -15,9 +15,6 @@
 #include <sys/resource.h>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <fstream>
-#include <numeric>
 
 namespace pds
 {
@@ -128,7 +125,7 @@ void describe_points(const OrderedPoints& points,
   result.voronoi.distance.assign(n, std::numeric_limits<float>::quiet_NaN());
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t rank = points.rank_of_input[i];
-    if (rank == no_label || sampling.nearest.empty()) continue;
+    if (rank == no_rank || sampling.nearest.empty()) continue;
     const NearestSeeds& nearest = sampling.nearest[rank];
     result.voronoi.label[i] = number_of_seed[nearest.seed[0]];
     result.voronoi.distance[i] = static_cast<float>(static_cast<double>(nearest.distance[0]) * points.unit);

@@ -32,7 +32,7 @@ double TriangleComplex::fold_cosine(const Vector3d& a, const Vector3d& b, const 
   to_p -= to_p.dot(axis) * axis;
   to_q -= to_q.dot(axis) * axis;
   const double lengths = to_p.norm() * to_q.norm();
-  return lengths > 0 ? to_p.dot(to_q) / lengths : 1.0;
+  return lengths > 0 ? std::min(to_p.dot(to_q) / lengths, 1.0) : 1.0;
 }
 
 bool TriangleComplex::flat(const Triangle& t) const
@@ -146,28 +146,25 @@ TriangleComplex::Verdict TriangleComplex::judge(const Triangle& t, double smalle
   return orientable_with(t, across) ? Verdict::legal : Verdict::one_sided;
 }
 
+/** Union by size: the way to a root is never longer than the logarithm of the number of faces. */
 void TriangleComplex::join(std::uint32_t face)
 {
   const Triangle& t = face_[face];
   parent_[face] = face;
   flip_[face] = 0;
+  size_[face] = 1;
   for (const Edge& e : edges_of(t)) {
     const std::uint32_t other = other_face(face, e.from, e.to);
     if (other == no_face || other > face) continue;
     Root mine = root_of(face);
-    const Root theirs = root_of(other);
+    Root theirs = root_of(other);
     if (mine.face == theirs.face) continue;
-    // Lower number becomes the root: chains stay short in practice and the outcome is the same every time.
     const bool opposed = runs_along(face_[other], e.from, e.to);
-    undo_.push_back({mine.face, parent_[mine.face], flip_[mine.face]});
+    if (size_[mine.face] > size_[theirs.face]) std::swap(mine, theirs);
+    undo_.push_back({mine.face, size_[theirs.face]});
     parent_[mine.face] = theirs.face;
     flip_[mine.face] = static_cast<std::uint8_t>(mine.flipped ^ theirs.flipped ^ opposed);
-  }
-  // Path compression.
-  const Root root = root_of(face);
-  if (root.face != face) {
-    parent_[face] = root.face;
-    flip_[face] = static_cast<std::uint8_t>(root.flipped);
+    size_[theirs.face] += size_[mine.face];
   }
 }
 
@@ -180,6 +177,7 @@ TriangleComplex::Verdict TriangleComplex::add(const Triangle& triangle, double s
   present_.push_back(1);
   parent_.push_back(face);
   flip_.push_back(0);
+  size_.push_back(1);
   for (const std::uint32_t v : triangle) faces_at_[v].push_back(face);
   join(face);
   return verdict;
@@ -203,8 +201,9 @@ void TriangleComplex::begin_trial()
 void TriangleComplex::undo_trial()
 {
   for (auto link = undo_.rbegin(); link != undo_.rend(); ++link) {
-    parent_[link->face] = link->parent;
-    flip_[link->face] = link->flip;
+    size_[parent_[link->face]] = link->parent_size;
+    parent_[link->face] = link->face;
+    flip_[link->face] = 0;
   }
   undo_.clear();
   for (std::size_t f = trial_begin_; f < face_.size(); ++f) remove(static_cast<std::uint32_t>(f));
@@ -212,6 +211,7 @@ void TriangleComplex::undo_trial()
   present_.resize(trial_begin_);
   parent_.resize(trial_begin_);
   flip_.resize(trial_begin_);
+  size_.resize(trial_begin_);
 }
 
 void TriangleComplex::rebuild_orientation()
@@ -219,6 +219,7 @@ void TriangleComplex::rebuild_orientation()
   for (std::uint32_t f = 0; f < face_.size(); ++f) {
     parent_[f] = f;
     flip_[f] = 0;
+    size_[f] = 1;
   }
   for (std::uint32_t f = 0; f < face_.size(); ++f)
     if (present_[f] != 0) join(f);

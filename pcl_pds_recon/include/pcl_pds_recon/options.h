@@ -26,7 +26,10 @@ struct Options
   double radius = 0.0;             ///< absolute Poisson-disk radius; 0 = radius_factor sampling intervals
   double adaptive = 0.0;           ///< curvature coefficient c of the weight exp(c x); 0 = uniform (0 ... 2)
   double voronoi_threshold = 0.1;  ///< a witness's two distances differ by less than this many radii (0 ... 1)
-  double hole_size = 15.0;         ///< perimeter limit of filled holes, in radii; 0 = Voronoi dual triangles only
+  /** Perimeter limit of filled holes in radii (15 by default): larger ones stay open, but for those across which
+   * Voronoi cells border everywhere, which shows that there is surface. 0 = fill nothing, three-sided faces of the
+   * Voronoi dual only. */
+  double hole_size = 15.0;
   GeodesicSolver geodesic_solver = GeodesicSolver::fast_marching;  ///< how disks are grown
   unsigned threads = 0;    ///< worker threads (0 ... 1024); 0 = all cores. The result does not depend on it
   std::uint64_t seed = 0;  ///< picks one of the equally valid dart-throwing orders

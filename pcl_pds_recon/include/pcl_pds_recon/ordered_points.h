@@ -11,6 +11,9 @@
 namespace pds
 {
 
+/** \brief Marks an input point that is not finite and has no place in the order. */
+constexpr std::uint32_t no_rank = 0xffffffffU;
+
 /** \brief The distinct finite points of a cloud in an order that depends on nothing but their coordinates.
  *
  * Positions are relative to the centre of the bounding box and scaled by a power of two into [-0.5, 0.5], so that
@@ -21,7 +24,7 @@ struct OrderedPoints
 {
   std::vector<Eigen::Vector3f> position;     ///< by rank
   std::vector<std::uint32_t> input_index;    ///< by rank: the input point that represents this place
-  std::vector<std::uint32_t> rank_of_input;  ///< by input index: rank of its representative, or no_label
+  std::vector<std::uint32_t> rank_of_input;  ///< by input index: rank of its representative, or no_rank
   Eigen::Vector3d origin{0, 0, 0};           ///< input coordinates of position 0
   double unit = 1;                           ///< input units per unit of position
   std::size_t valid_points = 0;              ///< input points with finite coordinates

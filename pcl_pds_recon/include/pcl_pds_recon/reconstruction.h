@@ -14,7 +14,7 @@
 namespace pds
 {
 
-/** \brief Marks a point without a Voronoi cell: it is not finite. */
+/** \brief Marks a point without a Voronoi cell: it is not finite, or the cloud gave no seeds. */
 constexpr std::uint32_t no_label = std::numeric_limits<std::uint32_t>::max();
 
 /** \brief Geodesic Voronoi diagram of the seeds, one entry per input point (paper, section "2D manifold case"). */

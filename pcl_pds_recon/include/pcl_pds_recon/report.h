@@ -26,27 +26,29 @@ struct StageSeconds
 /** \brief What the reconstruction did, and the certificate of what it made. */
 struct Report
 {
-  std::size_t input_points = 0;          ///< points given
-  std::size_t valid_points = 0;          ///< of these, with finite coordinates
-  std::size_t merged_points = 0;         ///< of the valid ones, dropped because a coincident point represents them
-  int k = 0;                             ///< neighbours per point
-  double sampling_interval = 0;          ///< mean distance to the k neighbours, in input units (weighted if adaptive)
-  double radius = 0;                     ///< Poisson-disk radius in input units (where the weight is 1)
-  std::size_t seeds = 0;                 ///< Poisson-disk samples, with or without a face
-  std::size_t refined_seeds = 0;         ///< of these, added closer than the radius to keep the topology
-  std::size_t vertices = 0;              ///< of the mesh; all have a face
-  std::size_t faces = 0;                 ///< triangles
-  std::size_t edges = 0;                 ///< distinct edges
-  std::size_t components = 0;            ///< connected by edges
-  std::size_t boundary_loops = 0;        ///< closed chains of edges with one face
-  std::size_t nonmanifold_edges = 0;     ///< edges of more than two faces (always 0)
+  std::size_t input_points = 0;       ///< points given
+  std::size_t valid_points = 0;       ///< of these, with finite coordinates
+  std::size_t merged_points = 0;      ///< of the valid ones, dropped because a coincident point represents them
+  int k = 0;                          ///< neighbours per point
+  double sampling_interval = 0;       ///< mean distance to the k neighbours, in input units (weighted if adaptive)
+  double radius = 0;                  ///< Poisson-disk radius in input units (where the weight is 1)
+  std::size_t seeds = 0;              ///< Poisson-disk samples, with or without a face
+  std::size_t refined_seeds = 0;      ///< of these, added closer than the radius to keep the topology (none at present)
+  std::size_t vertices = 0;           ///< of the mesh; all have a face
+  std::size_t faces = 0;              ///< triangles
+  std::size_t edges = 0;              ///< distinct edges
+  std::size_t components = 0;         ///< connected by edges
+  std::size_t boundary_loops = 0;     ///< closed chains of edges with one face
+  std::size_t nonmanifold_edges = 0;  ///< edges of more than two faces (always 0)
   std::size_t nonmanifold_vertices = 0;  ///< vertices of more than one fan (always 0)
   std::size_t inconsistent_edges = 0;    ///< edges run through twice in the same direction (always 0)
   long long euler = 0;                   ///< vertices - edges + faces
   bool closed = false;                   ///< there are faces and no boundary
   bool orientable = true;                ///< false: the surface is one-sided and was cut open
   std::size_t filled_holes = 0;          ///< polygons of more than three sides that were triangulated
-  double min_seed_distance = 0;    ///< least distance of two seeds, refined ones aside, in radii, in the run's metric
+  /** Least distance of two seeds, refined ones aside, in radii, in the run's metric; disks are grown to 1.25 radii, so
+   * that is the largest value. */
+  double min_seed_distance = 0;
   double coverage_radius = 0;      ///< greatest distance of a point from its nearest seed, likewise
   unsigned threads = 0;            ///< worker threads used
   StageSeconds seconds;            ///< where the time went

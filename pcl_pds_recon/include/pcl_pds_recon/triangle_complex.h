@@ -35,6 +35,7 @@ class TriangleComplex
     folded        ///< it would fold back on a neighbour
   };
 
+  /** \param position of the vertices; must outlive this object */
   explicit TriangleComplex(const std::vector<Eigen::Vector3d>& position);
 
   /** \brief Adds the triangle if that is legal.
@@ -94,8 +95,8 @@ class TriangleComplex
   };
   struct Link
   {
-    std::uint32_t face, parent;
-    std::uint8_t flip;
+    std::uint32_t face;         ///< the root that got a parent
+    std::uint32_t parent_size;  ///< faces under the new parent before
   };
   struct Root
   {
@@ -119,8 +120,9 @@ class TriangleComplex
   std::vector<std::vector<std::uint32_t>> faces_at_;
   std::vector<std::uint32_t> parent_;  ///< union-find over faces
   std::vector<std::uint8_t> flip_;     ///< orientation relative to the parent
+  std::vector<std::uint32_t> size_;    ///< faces under a root
   std::size_t trial_begin_ = 0;        ///< faces before the trial
-  std::vector<Link> undo_;             ///< links of roots as they were before they were joined in the trial
+  std::vector<Link> undo_;             ///< unions made in the trial
 };
 
 }  // namespace pds

@@ -106,7 +106,8 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
 
   /** \brief Set up to which size holes of the dual are filled.
    * \param[in] perimeter greatest perimeter of a filled hole, in radii (0 ..., default 15); 0 keeps only triangles of
-   * the Voronoi dual. Larger holes and the rim of an open surface stay open.
+   * the Voronoi dual. Larger holes and the rim of an open surface stay open,
+   * but for holes across which Voronoi cells border everywhere: there is surface.
    */
   void setHoleSize(double perimeter) { options_.hole_size = perimeter; }
 
