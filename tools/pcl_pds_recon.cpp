@@ -46,6 +46,27 @@ std::size_t peak_rss_bytes()
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
+/** \brief What is wrong with a cloud that gave no faces, and how to mend it. */
+std::string why_no_faces(const Report& report)
+{
+  if (report.valid_points == 0) {
+    return "none of the points has finite coordinates; check the file's x, y and z";
+  }
+  if (report.radius <= 0) {
+    return "all points are in one place; check the file's x, y and z";
+  }
+  const bool every_point_is_a_seed = report.seeds + report.merged_points == report.valid_points;
+  if (every_point_is_a_seed) {
+    return fmt::format("no faces: radius {} is below the spacing of the {} points; use a larger -r or -f",
+                       report.radius, report.valid_points);
+  }
+  return fmt::format(
+      "no faces came out of {} points with radius {}: too few points for this radius, all on a line, or in lines "
+      "farther "
+      "apart than their {} neighbours reach; use a smaller -f or -r, a larger -k, or remove stray points far away",
+      report.valid_points, report.radius, report.k);
+}
+
 Reconstruction reconstruct_table(const PointTable& points, const CommandLine& command_line, ProgressReporter& progress)
 {
   const auto on_stage = [&progress](const char* stage, double fraction) {
@@ -54,10 +75,7 @@ Reconstruction reconstruct_table(const PointTable& points, const CommandLine& co
   try {
     Reconstruction result = reconstruct(points.view(), command_line.options, on_stage);
     if (result.triangles.empty()) {
-      throw InvalidInput(fmt::format(
-          "no faces came out of {} valid points with radius {}: too few points for this radius, or all on a "
-          "line; use a smaller -f or -r, or a denser cloud",
-          result.report.valid_points, result.report.radius));
+      throw InvalidInput(why_no_faces(result.report));
     }
     return result;
   } catch (const InvalidInput& error) {

@@ -33,13 +33,28 @@ std::uint64_t spread_bits(std::uint64_t v)
   return v;
 }
 
-std::uint64_t morton_key(const Eigen::Vector3f& p)
+/** \brief Axis-aligned box. */
+struct Bounds
 {
-  constexpr auto cells = static_cast<float>(1 << morton_bits);
-  constexpr auto last_cell = static_cast<float>((1 << morton_bits) - 1);
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d high = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+
+  void extend(const Eigen::Vector3d& p)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  [[nodiscard]] double extent() const { return (high - low).maxCoeff(); }
+};
+
+/** \brief Place of \a p on the Morton curve through the cube on the lower corner of \a bounds. */
+std::uint64_t morton_key(const Eigen::Vector3d& p, const Bounds& bounds)
+{
+  constexpr auto cells = static_cast<double>(1 << morton_bits);
+  const double cells_per_unit = bounds.extent() > 0 ? cells / bounds.extent() : 0.0;
   std::uint64_t key = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const float cell = std::clamp((p[axis] + 0.5F) * cells, 0.0F, last_cell);
+    const double cell = std::min((p[axis] - bounds.low[axis]) * cells_per_unit, cells - 1);
     key |= spread_bits(static_cast<std::uint64_t>(cell)) << axis;
   }
   return key;
@@ -62,25 +77,41 @@ void sort_by_key(std::vector<KeyedPoint>& points)
   }
 }
 
-/** \brief Sets origin and unit of \a points from the bounding box of the finite input points, and counts these. */
+/** \brief Component-wise median of the finite points: nearly all coordinates relative to it are small, whatever a few
+ * strays do, and single precision is finest near zero. */
+Eigen::Vector3d median_point(const PointCloudView& cloud, std::size_t valid_points)
+{
+  Eigen::Vector3d median;
+  std::vector<double> coordinate;
+  coordinate.reserve(valid_points);
+  for (int axis = 0; axis < 3; ++axis) {
+    coordinate.clear();
+    for (std::size_t i = 0; i < cloud.size; ++i)
+      if (const Eigen::Vector3d p = cloud.positions[i]; p.allFinite()) coordinate.push_back(p[axis]);
+    const auto middle = coordinate.begin() + static_cast<std::ptrdiff_t>(coordinate.size() / 2);
+    std::nth_element(coordinate.begin(), middle, coordinate.end());
+    median[axis] = *middle;
+  }
+  return median;
+}
+
+/** \brief Sets origin and unit of \a points from the finite input points, and counts these. */
 void set_frame(const PointCloudView& cloud, OrderedPoints& points)
 {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d low(inf, inf, inf);
-  Eigen::Vector3d high(-inf, -inf, -inf);
+  Bounds bounds;
   for (std::size_t i = 0; i < cloud.size; ++i) {
     const Eigen::Vector3d p = cloud.positions[i];
     if (!p.allFinite()) continue;
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    bounds.extend(p);
     ++points.valid_points;
   }
   if (points.valid_points == 0) return;
-  const double extent = (high - low).maxCoeff();
-  if (extent > 0 && std::isfinite(extent)) points.unit = std::ldexp(1.0, std::ilogb(extent) + 1);
+  const double extent = bounds.extent();
+  // The median may lie in a corner of the box: twice the extent, rounded up to a power of two, brings all into reach.
+  if (extent > 0 && std::isfinite(extent)) points.unit = std::ldexp(1.0, std::ilogb(extent) + 2);
   if (!std::isfinite(extent) || !std::isfinite(points.unit))
     throw InvalidInput("the extent of the points overflows; scale the coordinates down");
-  points.origin = low + 0.5 * (high - low);
+  points.origin = median_point(cloud, points.valid_points);
 }
 
 class InputOrder
@@ -88,23 +119,17 @@ class InputOrder
  public:
   InputOrder(const PointCloudView& cloud, const OrderedPoints& points) : cloud_(cloud), points_(points) {}
 
-  [[nodiscard]] Eigen::Vector3f local(std::uint32_t index) const
+  /** \brief The point in the cloud's frame, at the precision it is kept with. */
+  [[nodiscard]] Eigen::Vector3d position(std::uint32_t index) const
   {
-    return ((cloud_.positions[index] - points_.origin) / points_.unit).cast<float>();
+    return ((cloud_.positions[index] - points_.origin) / points_.unit).cast<float>().cast<double>();
   }
 
-  [[nodiscard]] bool coincident(std::uint32_t a, std::uint32_t b) const
-  {
-    return cloud_.positions[a] == cloud_.positions[b];
-  }
-
-  /** \brief Lexicographic by coordinates, then by the caller's record order, then by index. */
+  /** \brief Lexicographic by position, input coordinates, the caller's record order, index. */
   bool operator()(const KeyedPoint& a, const KeyedPoint& b) const
   {
-    const Eigen::Vector3d pa = cloud_.positions[a.index];
-    const Eigen::Vector3d pb = cloud_.positions[b.index];
-    for (int axis = 0; axis < 3; ++axis)
-      if (pa[axis] != pb[axis]) return pa[axis] < pb[axis];
+    if (const int c = compare(position(a.index), position(b.index)); c != 0) return c < 0;
+    if (const int c = compare(cloud_.positions[a.index], cloud_.positions[b.index]); c != 0) return c < 0;
     if (cloud_.record_less) {
       if (cloud_.record_less(a.index, b.index)) return true;
       if (cloud_.record_less(b.index, a.index)) return false;
@@ -113,9 +138,42 @@ class InputOrder
   }
 
  private:
+  template <typename Vector>
+  static int compare(const Vector& a, const Vector& b)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      if (a[axis] != b[axis]) return a[axis] < b[axis] ? -1 : 1;
+    return 0;
+  }
+
   const PointCloudView& cloud_;
   const OrderedPoints& points_;
 };
+
+/** \brief Puts points of equal key, begin ... end, in order: few by comparison, many along a finer curve through their
+ * own box. The latter happens where a stray point far away makes the cells of the first curve huge. */
+void order_cell(const InputOrder& order, std::vector<KeyedPoint>& keyed, std::size_t begin, std::size_t end)
+{
+  constexpr std::size_t few = 64;
+  const auto first = keyed.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto last = keyed.begin() + static_cast<std::ptrdiff_t>(end);
+  Bounds bounds;
+  for (auto p = first; p != last; ++p) bounds.extend(order.position(p->index));
+  if (end - begin <= few || bounds.extent() <= 0) {
+    std::sort(first, last, order);
+    return;
+  }
+  std::vector<KeyedPoint> cell(first, last);
+  for (KeyedPoint& p : cell) p.key = morton_key(order.position(p.index), bounds);
+  sort_by_key(cell);
+  std::copy(cell.begin(), cell.end(), first);
+  for (std::size_t i = begin; i < end;) {
+    std::size_t next = i + 1;
+    while (next < end && keyed[next].key == keyed[i].key) ++next;
+    if (next - i > 1) order_cell(order, keyed, i, next);
+    i = next;
+  }
+}
 
 }  // namespace
 
@@ -130,8 +188,11 @@ OrderedPoints order_points(const PointCloudView& cloud, const Parallel& parallel
   keyed.reserve(points.valid_points);
   for (std::uint32_t i = 0; i < cloud.size; ++i)
     if (cloud.positions[i].allFinite()) keyed.push_back({0, i});
+  Bounds bounds;
+  for (const KeyedPoint& p : keyed) bounds.extend(order.position(p.index));
   constexpr std::size_t block = 16384;
-  parallel.each(keyed.size(), block, [&](std::size_t i) { keyed[i].key = morton_key(order.local(keyed[i].index)); });
+  parallel.each(keyed.size(), block,
+                [&](std::size_t i) { keyed[i].key = morton_key(order.position(keyed[i].index), bounds); });
   sort_by_key(keyed);
 
   points.rank_of_input.assign(cloud.size, no_rank);
@@ -140,13 +201,13 @@ OrderedPoints order_points(const PointCloudView& cloud, const Parallel& parallel
   for (std::size_t begin = 0; begin < keyed.size();) {
     std::size_t end = begin + 1;
     while (end < keyed.size() && keyed[end].key == keyed[begin].key) ++end;
-    std::sort(keyed.begin() + static_cast<std::ptrdiff_t>(begin), keyed.begin() + static_cast<std::ptrdiff_t>(end),
-              order);
+    if (end - begin > 1) order_cell(order, keyed, begin, end);
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t index = keyed[i].index;
-      if (i == begin || !order.coincident(index, points.input_index.back())) {
+      const Eigen::Vector3f position = order.position(index).cast<float>();
+      if (i == begin || position != points.position.back()) {
         points.input_index.push_back(index);
-        points.position.push_back(order.local(index));
+        points.position.push_back(position);
       }
       points.rank_of_input[index] = static_cast<std::uint32_t>(points.input_index.size() - 1);
     }

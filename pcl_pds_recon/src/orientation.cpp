@@ -44,8 +44,9 @@ class Component
   std::vector<Triangle> triangles;
 
  private:
-  // A surface whose area vectors add up to this share of its area faces one side as a whole (a hemisphere: 0.5).
-  static constexpr double least_facing = 0.6;
+  // A surface whose area vectors add up to this share of its area faces one side as a whole: terrain with walls and
+  // trees has 0.3 and more, a shape that is nearly closed less than 0.1.
+  static constexpr double least_facing = 0.15;
 
   [[nodiscard]] Vector3d area_vector(const Triangle& t) const
   {

@@ -96,7 +96,8 @@ void sort_counter_clockwise(const SeedGeometry& seeds, std::uint32_t seed, std::
 
 }  // namespace
 
-SeedGeometry describe_seeds(const OrderedPoints& points,
+SeedGeometry describe_seeds(const PointCloudView& cloud,
+                            const OrderedPoints& points,
                             const SurfaceEstimate& surface,
                             const EdgeWeights& weights,
                             const PoissonDiskSampling& sampling,
@@ -111,7 +112,9 @@ SeedGeometry describe_seeds(const OrderedPoints& points,
   seeds.curvature.assign(count, 0.0);
   constexpr std::size_t block = 256;
   parallel.each(count, block, [&](std::size_t s) {
-    seeds.position[s] = points.position[sampling.seeds[s]].cast<double>() / sampling.radius;
+    // From the input itself: faces are judged where they will be, not where single precision puts them.
+    const Vector3d input = cloud.positions[points.input_index[sampling.seeds[s]]];
+    seeds.position[s] = (input - points.origin) / points.unit / sampling.radius;
     seeds.weight[s] = static_cast<double>(weights.at(sampling.seeds[s]));
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
     for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i) {

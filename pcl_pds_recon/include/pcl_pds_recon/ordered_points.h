@@ -16,8 +16,9 @@ constexpr std::uint32_t no_rank = 0xffffffffU;
 
 /** \brief The distinct finite points of a cloud in an order that depends on nothing but their coordinates.
  *
- * Positions are relative to the centre of the bounding box and scaled by a power of two into [-0.5, 0.5], so that
- * single precision loses nothing on coordinates far from the origin and squares neither overflow nor vanish. The order
+ * Positions are relative to the median of the points and scaled by a power of two into [-0.5, 0.5], so that single
+ * precision loses nothing on coordinates far from the origin, a few stray points do not cost the others their
+ * precision, and squares neither overflow nor vanish. Points that coincide at that precision are merged. The order
  * follows a Morton curve: neighbours in space are close in memory.
  */
 struct OrderedPoints

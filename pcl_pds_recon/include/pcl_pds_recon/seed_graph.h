@@ -26,7 +26,8 @@ struct SeedGraph
   std::vector<std::vector<std::uint32_t>> neighbors;  ///< by seed, counter-clockwise about its normal
 };
 
-[[nodiscard]] SeedGeometry describe_seeds(const OrderedPoints& points,
+[[nodiscard]] SeedGeometry describe_seeds(const PointCloudView& cloud,
+                                          const OrderedPoints& points,
                                           const SurfaceEstimate& surface,
                                           const EdgeWeights& weights,
                                           const PoissonDiskSampling& sampling,
