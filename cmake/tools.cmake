@@ -20,7 +20,7 @@ list(JOIN missing ", " missing)
 
 if(missing)
   list(APPEND left_out "command tool (not found: ${missing})")
-elseif(EXISTS "${PROJECT_SOURCE_DIR}/tools/CMakeLists.txt")
+else()
   add_subdirectory(tools)
 endif()
 

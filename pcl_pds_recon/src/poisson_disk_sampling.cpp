@@ -47,18 +47,20 @@ std::uint64_t hash_position(const Eigen::Vector3f& p, std::uint64_t seed)
   return hash;
 }
 
-/** \brief Colour and number of the cell that holds \a p. */
+/** \brief Colour and number of the cell that holds \a p. Numbers repeat every 2^20 cells along an axis: cells that
+ * share one are far apart, and it does no harm that they take their turn together. */
 std::uint64_t cell_of(const Eigen::Vector3f& p, double cell_side)
 {
   constexpr int axis_bits = 20;
-  // A finer grid would overflow the key; a disk so small that this matters holds less than one point.
-  const double side = std::max(cell_side, std::ldexp(1.0, -axis_bits + 1));
+  constexpr std::uint64_t axis_mask = (std::uint64_t{1} << axis_bits) - 1;
+  const double side = std::max(cell_side, std::ldexp(1.0, -60));  // the quotient must fit an integer
   std::uint64_t cell = 0;
   std::uint64_t color = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto coordinate = static_cast<std::uint64_t>((static_cast<double>(p[axis]) + 0.5) / side);
-    cell = cell << axis_bits | coordinate;
-    color = color << 1 | (coordinate & 1);
+    const double coordinate = std::floor(static_cast<double>(p[axis]) / side);
+    const auto number = static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate)) & axis_mask;
+    cell = cell << axis_bits | number;
+    color = color << 1 | (number & 1);
   }
   return color << (3 * axis_bits) | cell;
 }

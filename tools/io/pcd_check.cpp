@@ -73,6 +73,11 @@ PcdLayout parse_layout(std::string_view file)
     const std::string_view keyword = words.empty() ? std::string_view() : words.front();
     if (keyword == "SIZE") {
       layout.scalar_bytes = parse_sizes(words, greatest_scalar);
+      for (const std::uint64_t size : layout.scalar_bytes) {
+        if ((size & (size - 1)) != 0) {
+          throw_bad_header("has a SIZE that is not 1, 2, 4 or 8");
+        }
+      }
     } else if (keyword == "COUNT") {
       layout.scalar_counts = parse_sizes(words, greatest_scalar_count);
     } else if (keyword == "POINTS" && (words.size() != 2 || !parse_number(words[1], layout.points))) {

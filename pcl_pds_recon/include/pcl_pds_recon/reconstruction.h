@@ -42,7 +42,7 @@ using Progress = std::function<void(const char* stage, double fraction)>;
 
 /** \brief Reconstructs a surface from a dense point cloud by Poisson-disk sampling (Hou et al. 2015).
  *
- * Time O(n log n), about 200 bytes per point at 15 neighbours and 340 at 30. The mesh is the same for any number of
+ * Time O(n log n), about 200 bytes per point at 15 neighbours and 260 at 30. The mesh is the same for any number of
  * threads and any input order.
  *
  * \param cloud the points; too few or collinear points give an empty mesh, not an error
