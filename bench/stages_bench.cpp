@@ -51,7 +51,7 @@ struct Stages
     const double radius = options.radius_factor * mean_weighted_interval(points, graph, weights);
     sampling = sample_poisson_disks(points, graph, weights, ranks, radius, solver, 0, all_cores);
     voronoi = build_geodesic_voronoi(points, graph, weights, sampling, options.voronoi_threshold, all_cores);
-    seeds = describe_seeds(cloud, points, surface, weights, sampling, voronoi, all_cores);
+    seeds = describe_seeds(cloud, points, surface, sampling, voronoi, all_cores);
     seed_graph = build_seed_graph(seeds, voronoi.pairs);
   }
 
@@ -131,8 +131,7 @@ void add_stages()
     return build_geodesic_voronoi(s.points, s.graph, s.weights, s.sampling, s.options.voronoi_threshold, p);
   });
   add("seed_graph", true, [](const Stages& s, const Parallel& p) {
-    return build_seed_graph(describe_seeds(s.cloud, s.points, s.surface, s.weights, s.sampling, s.voronoi, p),
-                            s.voronoi.pairs);
+    return build_seed_graph(describe_seeds(s.cloud, s.points, s.surface, s.sampling, s.voronoi, p), s.voronoi.pairs);
   });
   add("faces_and_holes", false, faces_and_holes);
   add("reconstruct", true, whole_run);

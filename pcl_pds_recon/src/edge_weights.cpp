@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr std::size_t block = 4096;       // points per block
-constexpr double smallest_disk = 1.8;     // intervals: about 20 points at k = 15; below it cells fall apart
+constexpr double smallest_disk = 1.6;     // intervals: about 16 points at k = 15; below it cells fall apart
 constexpr double largest_exponent = 5.0;  // c x; beyond it exp() only names outliers
 constexpr int fixed_point_steps = 20;
 constexpr int weight_smoothing = 3;   // rounds of averaging: a metric that jumps within a disk tears the mesh

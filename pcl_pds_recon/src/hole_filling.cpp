@@ -19,16 +19,11 @@ constexpr int rounds = 2;                 // of cleaning and filling
 constexpr double widening = 1.5;          // how much longer a hole may get by mending
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double metric_length(const SeedGeometry& seeds, std::uint32_t a, std::uint32_t b)
-{
-  return 0.5 * (seeds.weight[a] + seeds.weight[b]) * (seeds.position[a] - seeds.position[b]).norm();
-}
-
-double perimeter(const SeedGeometry& seeds, const Polygon& polygon)
+double perimeter(const TriangleComplex& complex, const Polygon& polygon)
 {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    sum += metric_length(seeds, polygon[i], polygon[(i + 1) % polygon.size()]);
+    sum += (complex.position()[polygon[i]] - complex.position()[polygon[(i + 1) % polygon.size()]]).norm();
   return sum;
 }
 
@@ -137,18 +132,15 @@ class PolygonTriangulation
   std::vector<std::size_t> apex_;
 };
 
-std::size_t fill_loops(TriangleComplex& complex,
-                       const SeedGeometry& seeds,
-                       const BorderingCells& bordering,
-                       const FillLimits& limits)
+std::size_t fill_loops(TriangleComplex& complex, const BorderingCells& bordering, const FillLimits& limits)
 {
   const std::vector<Polygon> loops = boundary_loops(complex);
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < loops.size(); ++i) order.emplace_back(perimeter(seeds, loops[i]), i);
+  for (std::size_t i = 0; i < loops.size(); ++i) order.emplace_back(perimeter(complex, loops[i]), i);
   std::sort(order.begin(), order.end());
   std::size_t filled = 0;
   for (const auto& [length, i] : order)
-    if (fill_polygon(complex, seeds, bordering, loops[i], limits) && loops[i].size() > 3) ++filled;
+    if (fill_polygon(complex, bordering, loops[i], limits) && loops[i].size() > 3) ++filled;
   return filled;
 }
 
@@ -176,10 +168,9 @@ Polygon loop_through(const TriangleComplex& complex, std::uint32_t start)
 
 /** \brief Fills a hole after taking some faces beside it away; puts them back if that does not help. */
 bool refill_without(TriangleComplex& complex,
-                    const SeedGeometry& seeds,
                     const BorderingCells& bordering,
                     const Polygon& loop,
-                    std::vector<std::uint32_t> faces,
+                    const std::vector<std::uint32_t>& faces,
                     const FillLimits& limits)
 {
   std::vector<Triangle> taken;
@@ -190,7 +181,7 @@ bool refill_without(TriangleComplex& complex,
   for (const std::uint32_t v : loop) {
     if (complex.faces_at(v).empty()) continue;
     const Polygon wider = loop_through(complex, v);
-    if (!wider.empty() && fill_polygon(complex, seeds, bordering, wider, limits)) return true;
+    if (!wider.empty() && fill_polygon(complex, bordering, wider, limits)) return true;
     break;
   }
   for (const Triangle& t : taken) complex.add(t, 0.0);
@@ -198,37 +189,32 @@ bool refill_without(TriangleComplex& complex,
 }
 
 /** \brief A hole that has no filling often has one without one of the faces, or one of the vertices, at its rim. */
-bool mend_hole(TriangleComplex& complex,
-               const SeedGeometry& seeds,
-               const BorderingCells& bordering,
-               const Polygon& loop,
-               const FillLimits& limits)
+bool mend_hole(TriangleComplex& complex, const BorderingCells& bordering, const Polygon& loop, const FillLimits& limits)
 {
   FillLimits wider = limits;
-  if (perimeter(seeds, loop) <= limits.perimeter) wider.perimeter *= widening;
+  if (perimeter(complex, loop) <= limits.perimeter) wider.perimeter *= widening;
   for (std::size_t i = 0; i < loop.size(); ++i)
     for (const std::uint32_t f : complex.faces_at(loop[i])) {
       const Triangle t = complex.oriented(f);
       if (std::find(t.begin(), t.end(), loop[(i + 1) % loop.size()]) == t.end()) continue;
-      if (refill_without(complex, seeds, bordering, loop, {f}, wider)) return true;
+      if (refill_without(complex, bordering, loop, {f}, wider)) return true;
       break;
     }
-  for (const std::uint32_t v : loop)
-    if (refill_without(complex, seeds, bordering, loop, complex.faces_at(v), wider)) return true;
+  for (const std::uint32_t v : loop) {
+    const std::vector<std::uint32_t> around = complex.faces_at(v);  // a copy: the faces are about to go
+    if (refill_without(complex, bordering, loop, around, wider)) return true;
+  }
   return false;
 }
 
-std::size_t mend_holes(TriangleComplex& complex,
-                       const SeedGeometry& seeds,
-                       const BorderingCells& bordering,
-                       const FillLimits& limits)
+std::size_t mend_holes(TriangleComplex& complex, const BorderingCells& bordering, const FillLimits& limits)
 {
   std::size_t mended = 0;
   for (const Polygon& loop : boundary_loops(complex)) {
     if (loop.size() > most_corners) continue;
     // An earlier loop's mending may have changed this one.
     if (loop_through(complex, loop.front()) != loop) continue;
-    if (mend_hole(complex, seeds, bordering, loop, limits)) ++mended;
+    if (mend_hole(complex, bordering, loop, limits)) ++mended;
   }
   return mended;
 }
@@ -269,13 +255,12 @@ bool BorderingCells::operator()(std::uint32_t s, std::uint32_t t) const
 }
 
 bool fill_polygon(TriangleComplex& complex,
-                  const SeedGeometry& seeds,
                   const BorderingCells& bordering,
                   const Polygon& polygon,
                   const FillLimits& limits)
 {
   if (polygon.size() < 3 || polygon.size() > most_corners) return false;
-  const bool may_be_gap = perimeter(seeds, polygon) > limits.perimeter;
+  const bool may_be_gap = perimeter(complex, polygon) > limits.perimeter;
   const PolygonTriangulation triangulation(complex, may_be_gap ? &bordering : nullptr, polygon, limits);
   if (!triangulation.exists()) return false;
   complex.begin_trial();
@@ -296,13 +281,13 @@ std::size_t fill_holes(TriangleComplex& complex,
   std::size_t filled = 0;
   if (limits.perimeter > 0) {
     for (const Polygon& p : faces)
-      if (p.size() > 3 && fill_polygon(complex, seeds, bordering, p, limits)) ++filled;
+      if (p.size() > 3 && fill_polygon(complex, bordering, p, limits)) ++filled;
   }
   for (int round = 0; round < rounds; ++round) {
     clean_mesh(complex, seeds);
-    if (limits.perimeter > 0) filled += fill_loops(complex, seeds, bordering, limits);
+    if (limits.perimeter > 0) filled += fill_loops(complex, bordering, limits);
   }
-  if (limits.perimeter > 0) filled += mend_holes(complex, seeds, bordering, limits);
+  if (limits.perimeter > 0) filled += mend_holes(complex, bordering, limits);
   clean_mesh(complex, seeds);
   return filled;
 }

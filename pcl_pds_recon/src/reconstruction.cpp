@@ -201,7 +201,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   const GeodesicVoronoi voronoi =
       build_geodesic_voronoi(points, graph, metric.weights, sampling, options.voronoi_threshold, parallel);
   clock.start("seed_graph", 0.8, report.seconds.seed_graph);
-  const SeedGeometry seeds = describe_seeds(cloud, points, surface, metric.weights, sampling, voronoi, parallel);
+  const SeedGeometry seeds = describe_seeds(cloud, points, surface, sampling, voronoi, parallel);
   const SeedGraph seed_graph = build_seed_graph(seeds, voronoi.pairs);
 
   // Step 8: triangles, holes.

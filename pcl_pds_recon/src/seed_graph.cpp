@@ -99,7 +99,6 @@ void sort_counter_clockwise(const SeedGeometry& seeds, std::uint32_t seed, std::
 SeedGeometry describe_seeds(const PointCloudView& cloud,
                             const OrderedPoints& points,
                             const SurfaceEstimate& surface,
-                            const EdgeWeights& weights,
                             const PoissonDiskSampling& sampling,
                             const GeodesicVoronoi& voronoi,
                             const Parallel& parallel)
@@ -108,14 +107,12 @@ SeedGeometry describe_seeds(const PointCloudView& cloud,
   SeedGeometry seeds;
   seeds.position.resize(count);
   seeds.normal.resize(count);
-  seeds.weight.resize(count);
   seeds.curvature.assign(count, 0.0);
   constexpr std::size_t block = 256;
   parallel.each(count, block, [&](std::size_t s) {
     // From the input itself: faces are judged where they will be, not where single precision puts them.
     const Vector3d input = cloud.positions[points.input_index[sampling.seeds[s]]];
     seeds.position[s] = (input - points.origin) / points.unit / sampling.radius;
-    seeds.weight[s] = static_cast<double>(weights.at(sampling.seeds[s]));
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
     for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i) {
       const Vector3d normal = surface.normal[voronoi.cell_point[i]].cast<double>();

@@ -28,7 +28,6 @@ struct Annulus
         seeds.position.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
       }
     seeds.normal.assign(seeds.position.size(), Eigen::Vector3d::UnitZ());
-    seeds.weight.assign(seeds.position.size(), 1.0);
     seeds.curvature.assign(seeds.position.size(), 0.0);
   }
 
@@ -134,18 +133,6 @@ TEST(HoleFilling, KnowsWhichCellsBorder)
   EXPECT_FALSE(bordering(4, 5));
 }
 
-TEST(HoleFilling, MeasuresTheHoleInTheMetricOfTheRun)
-{
-  Annulus annulus(5);
-  std::fill(annulus.seeds.weight.begin(), annulus.seeds.weight.end(), 2.0);
-  TriangleComplex complex(annulus.seeds.position);
-  annulus.fill(complex);
-  FillLimits limits;
-  limits.perimeter = 9.9;  // its length is 5, its weighted length 10
-  pds::fill_holes(complex, annulus.seeds, no_borders, {}, limits);
-  EXPECT_EQ(examine_complex(complex).boundary_loops, 2U);
-}
-
 TEST(HoleFilling, FillsNothingIfTheLimitIsZero)
 {
   const Annulus annulus(4);
@@ -163,9 +150,8 @@ TEST(HoleFilling, ChoosesTheDelaunayDiagonal)
   pds::SeedGeometry seeds;
   seeds.position = {{-1, 0, 0}, {0, -0.6, 0}, {1, 0, 0}, {0, 0.6, 0}};
   seeds.normal.assign(4, Eigen::Vector3d::UnitZ());
-  seeds.weight.assign(4, 1.0);
   TriangleComplex complex(seeds.position);
-  EXPECT_TRUE(pds::fill_polygon(complex, seeds, no_borders, {0, 1, 2, 3}, {}));
+  EXPECT_TRUE(pds::fill_polygon(complex, no_borders, {0, 1, 2, 3}, {}));
   EXPECT_TRUE(complex.has_edge(1, 3));
   EXPECT_FALSE(complex.has_edge(0, 2));
 }
@@ -178,9 +164,9 @@ TEST(HoleFilling, LeavesTheComplexAsItWasIfAPolygonCannotBeFilled)
   const std::vector<std::uint32_t> before = complex.faces();
   FillLimits limits;
   limits.chord = 0.5;  // shorter than any chord of the hole
-  EXPECT_FALSE(pds::fill_polygon(complex, annulus.seeds, no_borders, {0, 5, 4, 3, 2, 1}, limits));
+  EXPECT_FALSE(pds::fill_polygon(complex, no_borders, {0, 5, 4, 3, 2, 1}, limits));
   EXPECT_EQ(complex.faces(), before);
-  EXPECT_FALSE(pds::fill_polygon(complex, annulus.seeds, no_borders, {0, 1}, limits)) << "no polygon";
+  EXPECT_FALSE(pds::fill_polygon(complex, no_borders, {0, 1}, limits)) << "no polygon";
 }
 
 }  // namespace

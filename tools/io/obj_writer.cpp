@@ -53,7 +53,11 @@ void write_obj(AtomicFile& file, const PointTable& points, const Triangles& tria
     writer.append("f");
     for (const std::uint32_t vertex : triangle) {
       const std::string number = std::to_string(vertex + 1);  // OBJ counts from 1
-      writer.append(points.has_normals() ? number + "//" + number : number);
+      std::string corner = number;
+      if (points.has_normals()) {
+        corner.append("//").append(number);
+      }
+      writer.append(corner);
     }
     writer.end_line();
   }

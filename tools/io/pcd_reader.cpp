@@ -154,6 +154,7 @@ PointTable read_pcd(const std::string& path, std::string_view file)
   const std::vector<Source> sources = list_sources(cloud);
 
   std::vector<Field> fields;
+  fields.reserve(sources.size());
   for (const Source& source : sources) {
     fields.push_back(source.target);
   }

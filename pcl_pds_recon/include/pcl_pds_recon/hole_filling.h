@@ -13,7 +13,7 @@ namespace pds
 /** \brief What a filling may do. Lengths are in radii. */
 struct FillLimits
 {
-  double perimeter = 15.0;           ///< longest perimeter of a hole, in the run's metric
+  double perimeter = 15.0;           ///< longest perimeter of a hole
   double chord = longest_dual_edge;  ///< longest new edge
   double smallest_angle = 0.7;       ///< least angle that two faces may enclose at an edge, radians
 };
@@ -42,7 +42,6 @@ class BorderingCells
  * \return false if there is no such triangulation; the complex is then as before
  */
 bool fill_polygon(TriangleComplex& complex,
-                  const SeedGeometry& seeds,
                   const BorderingCells& bordering,
                   const Polygon& polygon,
                   const FillLimits& limits);

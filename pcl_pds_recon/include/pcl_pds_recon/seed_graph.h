@@ -16,7 +16,6 @@ struct SeedGeometry
 {
   std::vector<Eigen::Vector3d> position;  ///< in radii, so that every length in the later stages is in radii
   std::vector<Eigen::Vector3d> normal;    ///< unit, of arbitrary sign: principal axis of the cell's point normals
-  std::vector<double> weight;             ///< the run's metric at the seed
   std::vector<double> curvature;          ///< mean over the cell, see SurfaceEstimate
 };
 
@@ -29,7 +28,6 @@ struct SeedGraph
 [[nodiscard]] SeedGeometry describe_seeds(const PointCloudView& cloud,
                                           const OrderedPoints& points,
                                           const SurfaceEstimate& surface,
-                                          const EdgeWeights& weights,
                                           const PoissonDiskSampling& sampling,
                                           const GeodesicVoronoi& voronoi,
                                           const Parallel& parallel);
