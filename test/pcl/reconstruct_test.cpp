@@ -58,10 +58,18 @@ TEST(PoissonDiskReconstruction, MeshHoldsTheSeedsAndNothingElse)
 // pcl::copyPointCloud ignores the order of the indices in this case.
 TEST(PoissonDiskReconstruction, KeepsTheOrderIfEveryPointIsASeed)
 {
-  const auto cloud = makeSphere<PointXYZ>(500);
+  constexpr float spacing = 0.1F;
+  pcl::PointCloud<PointXYZ>::Ptr cloud(new pcl::PointCloud<PointXYZ>);
+  for (int row = 0; row < 20; ++row) {
+    for (int column = 0; column < 25; ++column) {
+      const auto x = static_cast<float>(column);
+      const auto y = static_cast<float>(row);
+      cloud->push_back(PointXYZ(spacing * x, spacing * y, 0.01F * x * y * spacing));
+    }
+  }
   Reconstruction reconstruction;
   reconstruction.setInputCloud(cloud);
-  reconstruction.setRadius(1e-6);
+  reconstruction.setRadius(0.9 * static_cast<double>(spacing));
   pcl::PolygonMesh mesh;
   reconstruction.reconstruct(mesh);
   ASSERT_EQ(reconstruction.getAllSeedIndices().size(), cloud->size());
@@ -69,6 +77,7 @@ TEST(PoissonDiskReconstruction, KeepsTheOrderIfEveryPointIsASeed)
   pcl::fromPCLPointCloud2(mesh.cloud, vertices);
 
   const pcl::Indices& seeds = reconstruction.getSeedIndices();
+  ASSERT_GT(seeds.size(), 0U);
   ASSERT_EQ(vertices.size(), seeds.size());
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     EXPECT_EQ(vertices[i].getVector3fMap(), cloud->at(static_cast<std::size_t>(seeds[i])).getVector3fMap());
