@@ -2,8 +2,9 @@
 #include <pcl_pds_recon/nearest_neighbors.h>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
+#include <utility>
+#include "box_tree.h"
 #include "neighbor_kernel.h"
 
 namespace pds
@@ -11,280 +12,200 @@ namespace pds
 namespace
 {
 
-constexpr std::size_t leaf_size = 8;  // points per leaf: one or two vector registers of distances
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/** \brief Squared distance and index in one integer that sorts like the pair. */
-using Candidate = std::uint64_t;
-
-Candidate make_candidate(float squared_distance, std::uint32_t index)
-{
-  std::uint32_t bits;
-  std::memcpy(&bits, &squared_distance, sizeof bits);
-  return Candidate{bits} << 32 | index;
-}
-
-float squared_distance_of(Candidate candidate)
-{
-  const auto bits = static_cast<std::uint32_t>(candidate >> 32);
-  float squared_distance;
-  std::memcpy(&squared_distance, &bits, sizeof bits);
-  return squared_distance;
-}
-
-/** \brief The k best candidates so far, ascending. */
-class BestCandidates
+/** \brief Searches for one point at a time, whatever the cloud looks like around it. */
+class SingleSearch
 {
  public:
-  explicit BestCandidates(std::size_t k) : best_(k) {}
-
-  void clear()
+  SingleSearch(const BoxTree& tree, const std::vector<Eigen::Vector3f>& position, std::size_t k)
+      : tree_(tree), position_(position), best_(k)
   {
-    std::fill(best_.begin(), best_.end(), std::numeric_limits<Candidate>::max());
-    worst_ = infinity;
   }
-  [[nodiscard]] float worst() const { return worst_; }
-  [[nodiscard]] const std::vector<Candidate>& sorted() const { return best_; }
 
-  void insert(Candidate candidate)
+  /** \return the squared distance of the k-th neighbour */
+  float search(std::uint32_t query, std::uint32_t* row)
+  {
+    std::fill(best_.begin(), best_.end(), Candidate{infinity, std::numeric_limits<std::uint32_t>::max()});
+    const Eigen::Vector3f& q = position_[query];
+    const auto worst = [this] { return best_.back().first; };
+    tree_.visit_leaves(q, worst, [&](std::size_t leaf) {
+      for (std::size_t i = leaf * BoxTree::leaf_size; i < tree_.leaf_end(leaf); ++i) {
+        const Eigen::Vector3f d = position_[i] - q;
+        const float squared_distance = d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
+        if (squared_distance <= worst() && i != query) insert({squared_distance, static_cast<std::uint32_t>(i)});
+      }
+    });
+    for (const Candidate& candidate : best_) *row++ = candidate.second;
+    return worst();
+  }
+
+ private:
+  using Candidate = std::pair<float, std::uint32_t>;  // squared distance, index
+
+  void insert(const Candidate& candidate)
   {
     if (candidate >= best_.back()) return;
     std::size_t place = best_.size() - 1;
     for (; place > 0 && best_[place - 1] > candidate; --place) best_[place] = best_[place - 1];
     best_[place] = candidate;
-    if (best_.back() != std::numeric_limits<Candidate>::max()) worst_ = squared_distance_of(best_.back());
   }
 
- private:
-  static constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::vector<Candidate> best_;
-  float worst_ = infinity;
-};
-
-struct Box
-{
-  Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
-  Eigen::Vector3f high = Eigen::Vector3f::Constant(-std::numeric_limits<float>::infinity());
-
-  void extend(const Box& other)
-  {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
-  }
-
-  [[nodiscard]] float squared_distance(const Box& other) const
-  {
-    float sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float gap = std::max({low[axis] - other.high[axis], other.low[axis] - high[axis], 0.0F});
-      sum += gap * gap;
-    }
-    return sum;
-  }
-
-  [[nodiscard]] float squared_distance(const Eigen::Vector3f& p) const
-  {
-    float sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float outside = std::max({low[axis] - p[axis], p[axis] - high[axis], 0.0F});
-      sum += outside * outside;
-    }
-    return sum;
-  }
-};
-
-/** \brief Complete binary tree: node 1 is the root, 2i and 2i + 1 are the children of i, leaves come last. */
-class BoxTree
-{
- public:
-  explicit BoxTree(const std::vector<Eigen::Vector3f>& position) : position_(position)
-  {
-    const std::size_t leaves = (position.size() + leaf_size - 1) / leaf_size;
-    while (first_leaf_ < leaves) first_leaf_ *= 2;
-    box_.resize(2 * first_leaf_);
-    for (std::size_t i = 0; i < position.size(); ++i) {
-      Box& leaf = box_[first_leaf_ + i / leaf_size];
-      leaf.low = leaf.low.cwiseMin(position[i]);
-      leaf.high = leaf.high.cwiseMax(position[i]);
-    }
-    for (std::size_t node = first_leaf_ - 1; node > 0; --node) {
-      box_[node].extend(box_[2 * node]);
-      box_[node].extend(box_[2 * node + 1]);
-    }
-  }
-
-  void search(std::uint32_t query, BestCandidates& best) const
-  {
-    const Eigen::Vector3f q = position_[query];
-    best.clear();
-    struct Visit
-    {
-      std::size_t node;
-      float squared_distance;
-    };
-    Visit stack[64];
-    std::size_t depth = 0;
-    // The query's own leaf first: it gives a tight bound at once.
-    const std::size_t own_leaf = first_leaf_ + query / leaf_size;
-    scan_leaf(own_leaf, q, query, best);
-    stack[depth++] = {1, 0.0F};
-    while (depth > 0) {
-      const Visit visit = stack[--depth];
-      if (visit.squared_distance > best.worst()) continue;
-      if (visit.node >= first_leaf_) {
-        if (visit.node != own_leaf) scan_leaf(visit.node, q, query, best);
-        continue;
-      }
-      Visit near{2 * visit.node, box_[2 * visit.node].squared_distance(q)};
-      Visit far{2 * visit.node + 1, box_[2 * visit.node + 1].squared_distance(q)};
-      if (far.squared_distance < near.squared_distance) std::swap(near, far);
-      if (far.squared_distance <= best.worst()) stack[depth++] = far;
-      if (near.squared_distance <= best.worst()) stack[depth++] = near;
-    }
-  }
-
-  [[nodiscard]] std::size_t leaf_count() const { return (position_.size() + leaf_size - 1) / leaf_size; }
-  [[nodiscard]] const Box& leaf_box(std::size_t leaf) const { return box_[first_leaf_ + leaf]; }
-
-  /** \brief Leaves within a distance of a box, ascending; false if they hold more than \a most_points. */
-  bool gather_leaves(const Box& box,
-                     float squared_reach,
-                     std::size_t most_points,
-                     std::vector<std::size_t>& leaves) const
-  {
-    leaves.clear();
-    std::size_t stack[64];
-    std::size_t depth = 0;
-    stack[depth++] = 1;
-    while (depth > 0) {
-      const std::size_t node = stack[--depth];
-      if (box_[node].squared_distance(box) > squared_reach) continue;
-      if (node < first_leaf_) {
-        stack[depth++] = 2 * node + 1;
-        stack[depth++] = 2 * node;
-      } else {
-        leaves.push_back(node - first_leaf_);
-        if (leaves.size() * leaf_size > most_points) return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  void scan_leaf(std::size_t node, const Eigen::Vector3f& q, std::uint32_t query, BestCandidates& best) const
-  {
-    const std::size_t begin = (node - first_leaf_) * leaf_size;
-    const std::size_t end = std::min(begin + leaf_size, position_.size());
-    for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3f d = position_[i] - q;
-      const float squared_distance = d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
-      if (squared_distance <= best.worst() && i != query)
-        best.insert(make_candidate(squared_distance, static_cast<std::uint32_t>(i)));
-    }
-  }
-
+  const BoxTree& tree_;
   const std::vector<Eigen::Vector3f>& position_;
-  std::vector<Box> box_;
-  std::size_t first_leaf_ = 1;
+  std::vector<Candidate> best_;  ///< ascending
 };
 
-/** \brief Searches for all points of a leaf together: they share their candidates.
+/** \brief Searches for the points of consecutive leaves together: they share their candidates.
  *
- * All points within a guessed reach of the leaf are candidates. A query that finds k of them within the reach has found
- * its true neighbours, for every other point is farther away. The guess comes from the leaf before, which is close by;
- * what it fails for is searched point by point.
+ * All points within a guessed reach of the leaves are candidates. A query that finds k of them within the reach has
+ * found its true neighbours, for every other point is farther away; one that does not gathers candidates of its own.
+ * Guesses come from the points just before, which are close by, and cost time if they are wrong, but change no result.
  */
-class LeafSearch
+class GroupSearch
 {
  public:
-  LeafSearch(const BoxTree& tree, const std::vector<Eigen::Vector3f>& position, std::size_t k)
+  GroupSearch(const BoxTree& tree,
+              const std::vector<Eigen::Vector3f>& position,
+              std::size_t k,
+              const NeighborKernel& kernel)
       : tree_(tree),
         position_(position),
         k_(k),
-        set_(best_instruction_set()),
-        best_(k),
-        most_candidates_(candidates_per_neighbor * (k + 1))
+        kernel_(kernel),
+        single_(tree, position, k),
+        most_leaves_(leaves_per_neighbor * (k + 1)),
+        of_group_(most_leaves_ * BoxTree::leaf_size),
+        of_leaf_(most_leaves_ * BoxTree::leaf_size),
+        of_point_(most_leaves_ * BoxTree::leaf_size),
+        selection_(most_leaves_ * BoxTree::leaf_size)
   {
-    columns_.reserve(most_candidates_ + leaf_size);
   }
 
-  /** \param rows receives k indices for every point of the leaf */
-  void search(std::size_t leaf, std::uint32_t* rows)
+  /** \param rows receives k indices for every point of the leaves, at its index times k */
+  void search(std::size_t begin_leaf, std::size_t end_leaf, std::uint32_t* rows)
   {
-    const std::size_t begin = leaf * leaf_size;
-    const std::size_t end = std::min(begin + leaf_size, position_.size());
-    const float squared_reach = reach_ * reach_;
-    const bool common =
-        reach_ > 0 && tree_.gather_leaves(tree_.leaf_box(leaf), squared_reach, most_candidates_, leaves_);
-    if (common) load_candidates();
-    // The box distance and the point distances are rounded separately: what is this close to the reach counts as
-    // beyond.
-    constexpr float inside = 0.9999F;
-    float farthest = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3f& q = position_[i];
-      const NeighborQuery query{q.x(), q.y(), q.z(), static_cast<std::uint32_t>(i), inside * squared_reach};
-      std::uint32_t* row = rows + (i - begin) * k_;
-      float last = common ? select_nearest(set_, columns_, query, k_, scratch_, row) : infinity;
-      if (last == infinity) last = search_alone(query.self, row);
-      farthest = std::max(farthest, last);
+    if (expected_ <= 0) {
+      const std::size_t first = begin_leaf * BoxTree::leaf_size;
+      expected_ = single_.search(static_cast<std::uint32_t>(first), rows + first * k_);
     }
-    reach_ = reach_growth * std::sqrt(farthest);
+    const float squared_reach = reach_growth * expected_;
+    if (gather(tree_.box_of(begin_leaf, end_leaf), squared_reach, of_group_.columns)) {
+      for (std::size_t leaf = begin_leaf; leaf < end_leaf; ++leaf) {
+        kernel_.filter(of_group_.columns, tree_.box_of(leaf, leaf + 1), squared_reach, of_leaf_.columns);
+        search_leaf(leaf, squared_reach, rows);
+      }
+    } else if (end_leaf - begin_leaf > 1) {
+      const std::size_t middle = (begin_leaf + end_leaf) / 2;
+      search(begin_leaf, middle, rows);
+      search(middle, end_leaf, rows);
+    } else {
+      of_leaf_.columns.count = 0;
+      search_leaf(begin_leaf, 0.0F, rows);
+    }
   }
 
  private:
-  static constexpr float infinity = std::numeric_limits<float>::infinity();
-  static constexpr std::size_t candidates_per_neighbor = 64;  // on a surface a leaf has about 10
-  static constexpr float reach_growth = 1.15F;  // on random points: few failures, few superfluous candidates
+  static constexpr std::size_t leaves_per_neighbor = 8;  // twice as many candidates as a group has on a surface
+  static constexpr int most_widenings = 6;               // 64 times the area; what needs more is a stray point
+  // On random points of a surface, of the expected squared distance of the k-th neighbour: 1.5 hold enough neighbours
+  // for 97 of 100 points, 2.2 for 99, and few superfluous ones.
+  static constexpr float bound_growth = 1.5F;
+  static constexpr float reach_growth = 2.2F;
 
-  void load_candidates()
+  /** \brief Collects the points of all leaves within reach of a box; false if these are too many. */
+  bool gather(const Box& box, float squared_reach, CandidateColumns& to)
   {
-    std::size_t count = 0;
-    for (const std::size_t leaf : leaves_) {
-      const std::size_t end = std::min((leaf + 1) * leaf_size, position_.size());
-      for (std::size_t i = leaf * leaf_size; i < end; ++i, ++count) {
-        columns_.x[count] = position_[i].x();
-        columns_.y[count] = position_[i].y();
-        columns_.z[count] = position_[i].z();
-        columns_.index[count] = static_cast<std::uint32_t>(i);
+    if (!tree_.find_leaves(box, squared_reach, most_leaves_, leaves_)) return false;
+    to.count = 0;
+    for (const std::uint32_t leaf : leaves_)
+      for (std::size_t i = leaf * BoxTree::leaf_size; i < tree_.leaf_end(leaf); ++i, ++to.count) {
+        to.x[to.count] = position_[i].x();
+        to.y[to.count] = position_[i].y();
+        to.z[to.count] = position_[i].z();
+        to.index[to.count] = static_cast<std::uint32_t>(i);
       }
-    }
-    columns_.count = count;
+    std::fill_n(to.x + to.count, widest_register, infinity);
+    return true;
+  }
+
+  void search_leaf(std::size_t leaf, float squared_reach, std::uint32_t* rows)
+  {
+    for (std::size_t i = leaf * BoxTree::leaf_size; i < tree_.leaf_end(leaf); ++i)
+      expect(search_point(static_cast<std::uint32_t>(i), squared_reach, rows + i * k_));
+  }
+
+  /** \brief Learns from a point's result: slowly to expect more, which a single stray must not do, fast to expect less.
+   */
+  void expect(float squared_distance)
+  {
+    const float smoothed = 0.75F * expected_ + 0.25F * std::min(squared_distance, 2 * expected_);
+    expected_ = std::min(smoothed, 2 * squared_distance);
   }
 
   /** \return the squared distance of the k-th neighbour */
-  float search_alone(std::uint32_t i, std::uint32_t* row)
+  float search_point(std::uint32_t i, float squared_reach, std::uint32_t* row)
   {
-    tree_.search(i, best_);
-    for (std::size_t j = 0; j < k_; ++j) row[j] = static_cast<std::uint32_t>(best_.sorted()[j] & 0xffffffffU);
-    return best_.worst();
+    const float bound = std::min(bound_growth * expected_, squared_reach);
+    float last = select(of_leaf_.columns, i, bound, row);
+    if (last == infinity && bound < squared_reach) last = select(of_leaf_.columns, i, squared_reach, row);
+    return last == infinity ? search_wider(i, std::max(squared_reach, expected_), row) : last;
+  }
+
+  float search_wider(std::uint32_t i, float squared_reach, std::uint32_t* row)
+  {
+    const Eigen::Vector3f& q = position_[i];
+    for (int widening = 0; widening < most_widenings; ++widening) {
+      squared_reach *= 2;
+      if (!gather({{q.x(), q.y(), q.z()}, {q.x(), q.y(), q.z()}}, squared_reach, of_point_.columns)) break;
+      const float last = select(of_point_.columns, i, squared_reach, row);
+      if (last < infinity) return last;
+    }
+    return single_.search(i, row);
+  }
+
+  float select(const CandidateColumns& candidates, std::uint32_t i, float squared_bound, std::uint32_t* row)
+  {
+    const Eigen::Vector3f& q = position_[i];
+    return kernel_.select(candidates, {q.x(), q.y(), q.z(), i, squared_bound}, k_, selection_.columns, row);
   }
 
   const BoxTree& tree_;
   const std::vector<Eigen::Vector3f>& position_;
   std::size_t k_;
-  InstructionSet set_;
-  BestCandidates best_;
-  std::size_t most_candidates_;
-  float reach_ = 0;  ///< guess for the next leaf; 0 = none
-  std::vector<std::size_t> leaves_;
-  CandidateColumns columns_;
-  SelectionScratch scratch_;
+  const NeighborKernel& kernel_;
+  SingleSearch single_;
+  std::size_t most_leaves_;
+  float expected_ = 0;  ///< squared distance of the next point's k-th neighbour; 0 = no guess
+  std::vector<std::uint32_t> leaves_;
+  CandidateBuffer of_group_, of_leaf_, of_point_;
+  SelectionBuffer selection_;
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
                                              std::size_t k,
+                                             const NeighborKernel& kernel,
                                              const Parallel& parallel)
 {
-  const BoxTree tree(position);
+  constexpr std::size_t leaves_per_group = 8;
+  constexpr std::size_t leaves_per_block = 512;  // half a millisecond of work
+  const BoxTree tree(position, kernel, parallel);
   std::vector<std::uint32_t> neighbors(position.size() * k);
-  constexpr std::size_t leaves_per_block = 128;
   parallel.blocks(tree.leaf_count(), leaves_per_block, [&](std::size_t begin, std::size_t end, unsigned) {
-    LeafSearch search(tree, position, k);
-    for (std::size_t leaf = begin; leaf < end; ++leaf) search.search(leaf, neighbors.data() + leaf * leaf_size * k);
+    GroupSearch search(tree, position, k, kernel);
+    for (std::size_t leaf = begin; leaf < end; leaf += leaves_per_group)
+      search.search(leaf, std::min(leaf + leaves_per_group, end), neighbors.data());
   });
   return neighbors;
+}
+
+std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
+                                             std::size_t k,
+                                             const Parallel& parallel)
+{
+  return nearest_neighbors(position, k, *neighbor_kernels().back(), parallel);
 }
 
 }  // namespace pds

@@ -1,136 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbor_kernel.h"
 
-#include <limits>
-#include <numeric>
+#include <algorithm>
+#include <utility>
+#include "neighbor_lanes.h"
 
 namespace pds
 {
 namespace
 {
 
-constexpr std::size_t register_floats = 16;  // of the widest register; columns are padded to whole registers
-
-std::size_t padded(std::size_t count) { return (count + register_floats - 1) / register_floats * register_floats; }
-
-[[gnu::always_inline]] inline float select(const CandidateColumns& candidates,
-                                           const NeighborQuery& query,
-                                           std::size_t k,
-                                           SelectionScratch& scratch,
-                                           std::uint32_t* __restrict nearest)
+/** \brief One lane, for processors without vector instructions that this library knows. */
+struct ScalarLanes
 {
-  const std::size_t count = candidates.count;
-  const float* __restrict x = candidates.x.data();
-  const float* __restrict y = candidates.y.data();
-  const float* __restrict z = candidates.z.data();
-  float* __restrict distance = scratch.squared_distance.data();
-  for (std::size_t i = 0; i < padded(count); ++i) {
-    const float dx = x[i] - query.x;
-    const float dy = y[i] - query.y;
-    const float dz = z[i] - query.z;
-    distance[i] = dx * dx + dy * dy + dz * dz;
+  static constexpr std::size_t width = 1;
+
+  static float load(const float* from) { return *from; }
+  static std::uint32_t load(const std::uint32_t* from) { return *from; }
+  static void store(float value, float* to) { *to = value; }
+  static void store(std::uint32_t value, std::uint32_t* to) { *to = value; }
+  static float broadcast(float value) { return value; }
+  static float max(float a, float b) { return a > b ? a : b; }
+
+  static bool less_equal(float a, float b) { return a <= b; }
+  static std::size_t count(bool mask) { return mask ? 1 : 0; }
+
+  // Without a branch: what does not count is overwritten by the next one.
+  template <typename Value>
+  static void compress(bool, Value value, Value* to)
+  {
+    *to = value;
   }
 
-  // Without branches: every candidate is written, and stays if the next place is beyond it.
-  const std::uint32_t* __restrict index = candidates.index.data();
-  float* __restrict kept = scratch.kept_distance.data();
-  std::uint32_t* __restrict kept_index = scratch.kept_index.data();
-  std::size_t kept_count = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    kept[kept_count] = distance[i];
-    kept_index[kept_count] = index[i];
-    kept_count += static_cast<std::size_t>((distance[i] <= query.squared_bound) & (index[i] != query.self));
-  }
-  for (std::size_t i = kept_count; i < padded(kept_count); ++i) kept[i] = std::numeric_limits<float>::infinity();
+  static std::uint32_t zero_ranks() { return 0; }
+  static std::uint32_t count_less(std::uint32_t rank, float a, float b) { return rank + (a < b ? 1U : 0U); }
+  static std::uint32_t add(std::uint32_t a, std::uint32_t b) { return a + b; }
+  static std::uint32_t total(std::uint32_t rank) { return rank; }
+};
 
-  if (kept_count < k) return std::numeric_limits<float>::infinity();
-
-  // Candidates ascend by index, so of two equal distances the earlier one is nearer.
-  std::uint32_t* __restrict rank = scratch.rank.data();
-  const std::uint32_t* __restrict place = scratch.place.data();
-  for (std::size_t i = 0; i < padded(kept_count); ++i) rank[i] = 0;
-  for (std::size_t j = 0; j < kept_count; ++j) {
-    const float d = kept[j];
-    const std::uint32_t own = place[j];
-    for (std::size_t i = 0; i < padded(kept_count); ++i)
-      rank[i] += static_cast<std::uint32_t>(d < kept[i]) |
-                 (static_cast<std::uint32_t>(d == kept[i]) & static_cast<std::uint32_t>(own < place[i]));
-  }
-  float last = 0;
-  for (std::size_t i = 0; i < kept_count; ++i)
-    if (rank[i] < k) {
-      nearest[rank[i]] = kept_index[i];
-      last = rank[i] + 1 == k ? kept[i] : last;
-    }
-  return last;
-}
-
-float select_baseline(
-    const CandidateColumns& c, const NeighborQuery& q, std::size_t k, SelectionScratch& s, std::uint32_t* n)
-{
-  return select(c, q, k, s, n);
-}
-
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] float select_avx2(
-    const CandidateColumns& c, const NeighborQuery& q, std::size_t k, SelectionScratch& s, std::uint32_t* n)
-{
-  return select(c, q, k, s, n);
-}
-
-#if defined(__clang__)
-#define PDS_AVX512 "avx512f,avx512vl,avx512bw,avx512dq"
-#else
-#define PDS_AVX512 "avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512"
-#endif
-[[gnu::target(PDS_AVX512)]] float select_avx512(
-    const CandidateColumns& c, const NeighborQuery& q, std::size_t k, SelectionScratch& s, std::uint32_t* n)
-{
-  return select(c, q, k, s, n);
-}
-#endif
+/** \brief Columns are read in pairs of registers and written in whole ones. */
+std::size_t padded(std::size_t count) { return count + 2 * widest_register; }
 
 }  // namespace
 
-void CandidateColumns::reserve(std::size_t capacity)
-{
-  for (std::vector<float>* column : {&x, &y, &z}) column->assign(padded(capacity), 0.0F);
-  index.assign(padded(capacity), 0);
-}
+const NeighborKernel baseline_kernel{"baseline", boxes_within<ScalarLanes>, filter_candidates<ScalarLanes>,
+                                     select_nearest<ScalarLanes>};
 
-InstructionSet best_instruction_set()
+std::vector<const NeighborKernel*> neighbor_kernels()
 {
+  std::vector<const NeighborKernel*> kernels{&baseline_kernel};
 #if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt")) kernels.push_back(&avx2_kernel);
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
       __builtin_cpu_supports("avx512dq"))
-    return InstructionSet::avx512;
-  if (__builtin_cpu_supports("avx2")) return InstructionSet::avx2;
+    kernels.push_back(&avx512_kernel);
 #endif
-  return InstructionSet::baseline;
+  return kernels;
 }
 
-float select_nearest(InstructionSet set,
-                     const CandidateColumns& candidates,
-                     const NeighborQuery& query,
-                     std::size_t k,
-                     SelectionScratch& scratch,
-                     std::uint32_t* nearest)
+void sort_with_ties(const SelectionColumns& candidates, std::size_t count, std::uint32_t self)
 {
-  const std::size_t room = padded(candidates.count) + register_floats;
-  if (scratch.rank.size() < room) {
-    scratch.squared_distance.resize(room);
-    scratch.kept_distance.resize(room);
-    scratch.kept_index.resize(room);
-    scratch.rank.resize(room);
-    scratch.place.resize(room);
-    std::iota(scratch.place.begin(), scratch.place.end(), 0U);
+  std::uint32_t* const order = candidates.rank;
+  for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+  // Candidates ascend by index, so their places tell which one comes first; the query comes before all.
+  std::sort(order, order + count, [&](std::uint32_t a, std::uint32_t b) {
+    if (candidates.distance[a] != candidates.distance[b]) return candidates.distance[a] < candidates.distance[b];
+    if ((candidates.index[a] == self) != (candidates.index[b] == self)) return candidates.index[a] == self;
+    return a < b;
+  });
+  for (std::size_t j = 0; j < count; ++j) {
+    candidates.sorted_distance[j] = candidates.distance[order[j]];
+    candidates.sorted_index[j] = candidates.index[order[j]];
   }
-#if defined(__x86_64__)
-  if (set == InstructionSet::avx512) return select_avx512(candidates, query, k, scratch, nearest);
-  if (set == InstructionSet::avx2) return select_avx2(candidates, query, k, scratch, nearest);
-#endif
-  static_cast<void>(set);
-  return select_baseline(candidates, query, k, scratch, nearest);
+}
+
+CandidateBuffer::CandidateBuffer(std::size_t capacity) : coordinates_(3 * padded(capacity)), index_(padded(capacity))
+{
+  columns = {coordinates_.data(), coordinates_.data() + padded(capacity), coordinates_.data() + 2 * padded(capacity),
+             index_.data(), 0};
+}
+
+SelectionBuffer::SelectionBuffer(std::size_t capacity)
+    : distances_(2 * padded(capacity)), integers_(3 * padded(capacity))
+{
+  columns = {distances_.data(), integers_.data(), integers_.data() + padded(capacity),
+             distances_.data() + padded(capacity), integers_.data() + 2 * padded(capacity)};
 }
 
 }  // namespace pds

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core_testing.h"
+#include "neighbor_kernel.h"
 
 namespace pds_test
 {
@@ -29,14 +30,20 @@ std::vector<std::uint32_t> brute_force_row(const Positions& position, std::size_
   return row;
 }
 
+/** \brief With every instruction set that this machine has. */
 void expect_equal_to_brute_force(const Positions& position, std::size_t k)
 {
-  const std::vector<std::uint32_t> found = pds::nearest_neighbors(position, k, pds::Parallel(2));
-  ASSERT_EQ(found.size(), position.size() * k);
+  std::vector<std::uint32_t> expected;
   for (std::size_t i = 0; i < position.size(); ++i) {
-    const auto begin = found.begin() + static_cast<std::ptrdiff_t>(i * k);
-    const std::vector<std::uint32_t> row(begin, begin + static_cast<std::ptrdiff_t>(k));
-    ASSERT_EQ(row, brute_force_row(position, i, k)) << "point " << i << ", k " << k;
+    const std::vector<std::uint32_t> row = brute_force_row(position, i, k);
+    expected.insert(expected.end(), row.begin(), row.end());
+  }
+  for (const pds::NeighborKernel* kernel : pds::neighbor_kernels()) {
+    const std::vector<std::uint32_t> found = pds::nearest_neighbors(position, k, *kernel, pds::Parallel(2));
+    ASSERT_EQ(found.size(), expected.size());
+    const auto [wrong, right] = std::mismatch(found.begin(), found.end(), expected.begin());
+    ASSERT_EQ(wrong, found.end()) << kernel->name << ", k " << k << ", point " << (wrong - found.begin()) / k
+                                  << ": found " << *wrong << " instead of " << *right;
   }
 }
 
@@ -81,6 +88,35 @@ TEST(NearestNeighbors, AreRightWhereFloatsCoincide)
   for (int i = 0; i < 40; ++i)
     for (int copy = 0; copy < 10; ++copy) position.emplace_back(0.01F * static_cast<float>(i), 0.1F, 0.2F);
   for (const std::size_t k : {5U, 9U, 15U}) expect_equal_to_brute_force(position, k);
+}
+
+/** \brief Neighbours thousands of times closer here than there, strays in between: no guess from before holds. */
+TEST(NearestNeighbors, AreRightWhereDensityJumps)
+{
+  Random random(5);
+  Points points = sphere(500);
+  for (int i = 0; i < 1500; ++i) points.push_back(Eigen::Vector3d(1, 0, 0) + 1e-4 * random.in_box(1));
+  for (int i = 0; i < 40; ++i) points.push_back(50 * random.in_box(1));
+  for (const std::size_t k : {4U, 15U, 64U, 200U}) expect_equal_to_brute_force(in_order(points), k);
+}
+
+/** \brief One point amid a sphere of equally distant ones: too many candidates, and no reach that keeps only a few. */
+TEST(NearestNeighbors, AreRightInTheMiddleOfASphere)
+{
+  Points points = sphere(3000);
+  points.emplace_back(0, 0, 0);
+  expect_equal_to_brute_force(in_order(points), 15);
+}
+
+TEST(NearestNeighbors, DoNotDependOnInstructionSetOrThreads)
+{
+  const Positions position = in_order(torus(large_cloud));
+  const std::vector<std::uint32_t> expected =
+      pds::nearest_neighbors(position, 15, pds::baseline_kernel, pds::Parallel(1));
+  for (const pds::NeighborKernel* kernel : pds::neighbor_kernels())
+    for (const unsigned threads : {1U, 2U, 3U})
+      EXPECT_TRUE(pds::nearest_neighbors(position, 15, *kernel, pds::Parallel(threads)) == expected)
+          << kernel->name << ", " << threads << " threads";
 }
 
 TEST(NearestNeighbors, TakeAllOthersOfTheSmallestCloud)
