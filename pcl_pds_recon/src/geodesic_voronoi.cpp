@@ -2,7 +2,9 @@
 #include <pcl_pds_recon/geodesic_voronoi.h>
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <numeric>
+#include "bucket_sort.h"
+#include "seed_evidence.h"
 
 namespace pds
 {
@@ -11,16 +13,47 @@ namespace
 
 constexpr std::size_t cells_per_block = 64;  // cells per block: some thousand points
 
-void group_by_cell(const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi)
+/** \brief Fills cell_begin and cell_point, the latter in no order within a cell. */
+void group_by_cell(const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi, const Parallel& parallel)
 {
-  const std::size_t n = sampling.nearest.size();
-  voronoi.cell_begin.assign(sampling.seeds.size() + 1, 0);
-  for (const NearestSeeds& nearest : sampling.nearest) ++voronoi.cell_begin[nearest.seed[0] + 1];
-  for (std::size_t s = 0; s < sampling.seeds.size(); ++s) voronoi.cell_begin[s + 1] += voronoi.cell_begin[s];
-  std::vector<std::size_t> next(voronoi.cell_begin.begin(), voronoi.cell_begin.end() - 1);
-  voronoi.cell_point.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) voronoi.cell_point[next[sampling.nearest[i].seed[0]]++] = i;
+  constexpr std::size_t block = 32768;
+  const std::vector<NearestSeeds>& nearest = sampling.nearest;
+  // Points that follow one another are often of one cell, and counted at once.
+  const auto each_run = [&](const auto& action) {
+    parallel.blocks(nearest.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t first = begin, last = begin; first < end; first = last) {
+        const std::uint32_t seed = nearest[first].seed[0];
+        while (last < end && nearest[last].seed[0] == seed) ++last;
+        action(seed, first, static_cast<std::uint32_t>(last - first));
+      }
+    });
+  };
+  BucketSort by_cell(sampling.seeds.size());
+  each_run([&](std::uint32_t seed, std::size_t, std::uint32_t size) { by_cell.count(seed, size); });
+  voronoi.cell_begin = by_cell.begins();
+  voronoi.cell_point.resize(nearest.size());
+  each_run([&](std::uint32_t seed, std::size_t first, std::uint32_t size) {
+    const auto place = voronoi.cell_point.begin() + static_cast<std::ptrdiff_t>(by_cell.place(seed, size));
+    std::iota(place, place + size, static_cast<std::uint32_t>(first));
+  });
 }
+
+/** \brief Says which points lie near a Voronoi edge (the paper's criterion). */
+class WitnessRule
+{
+ public:
+  WitnessRule(const PoissonDiskSampling& sampling, double threshold)
+      : radius_(static_cast<float>(sampling.radius)), limit_(static_cast<float>(threshold * sampling.radius))
+  {
+  }
+  [[nodiscard]] bool operator()(const NearestSeeds& nearest) const
+  {
+    return nearest.distance[1] <= radius_ && nearest.distance[1] - nearest.distance[0] < limit_;
+  }
+
+ private:
+  float radius_, limit_;
+};
 
 /** \brief Collects what one cell sees of its surroundings. Small linear lists: a cell has about six neighbours. */
 class CellSurvey
@@ -30,180 +63,146 @@ class CellSurvey
              const NeighborGraph& graph,
              const EdgeWeights& weights,
              const PoissonDiskSampling& sampling,
-             const std::vector<std::uint8_t>& witness)
-      : points_(points), graph_(graph), weights_(weights), sampling_(sampling), witness_(witness)
+             const WitnessRule& is_witness)
+      : points_(points),
+        graph_(graph),
+        weights_(weights),
+        nearest_(sampling.nearest),
+        is_witness_(is_witness),
+        corner_limit_(corner_threshold * static_cast<float>(sampling.radius))
   {
   }
 
-  void survey(std::uint32_t seed, const std::uint32_t* begin, const std::uint32_t* end)
+  void survey(std::uint32_t seed,
+              const std::uint32_t* begin,
+              const std::uint32_t* end,
+              std::vector<std::uint8_t>& witness)
   {
-    pairs.clear();
-    triples.clear();
+    seed_ = seed;
+    borders_.clear();
+    corners_.clear();
     for (const std::uint32_t* point = begin; point != end; ++point) {
-      survey_witness(seed, *point);
-      survey_borders(seed, *point);
-      survey_corners(seed);
-      survey_equidistant(*point);
+      const NearestSeeds& nearest = nearest_[*point];
+      witness[*point] = is_witness_(nearest) ? 1 : 0;
+      if (witness[*point] != 0) count_witness(nearest);
+      // A point about as far from three seeds is near the place where their cells meet.
+      if (nearest.distance[2] - nearest.distance[0] < corner_limit_) vote(nearest.seed[1], nearest.seed[2]);
+      survey_surroundings(*point, nearest.distance[0]);
     }
   }
 
-  std::vector<SeedPair> pairs;
-  std::vector<SeedTriple> triples;
+  void append_to(std::vector<SeedPair>& pairs, std::vector<SeedTriple>& triples) const
+  {
+    for (const Border& b : borders_)
+      pairs.push_back({std::min(seed_, b.other), std::max(seed_, b.other), b.witnesses, b.path});
+    for (const Corner& c : corners_) {
+      std::array<std::uint32_t, 3> v{seed_, c.low, c.high};
+      std::sort(v.begin(), v.end());
+      triples.push_back({v[0], v[1], v[2], c.votes});
+    }
+  }
 
  private:
-  SeedPair& pair(std::uint32_t s, std::uint32_t t)
+  struct Border
   {
-    const auto [a, b] = std::minmax(s, t);
-    for (SeedPair& p : pairs)
-      if (p.a == a && p.b == b) return p;
-    pairs.push_back({a, b, 0, NearestSeeds::infinity});
-    return pairs.back();
-  }
-
-  void vote(std::uint32_t s, std::uint32_t t, std::uint32_t u)
+    std::uint32_t other;
+    std::uint32_t witnesses;
+    float path;
+  };
+  struct Corner
   {
-    std::array<std::uint32_t, 3> v{s, t, u};
-    std::sort(v.begin(), v.end());
-    for (SeedTriple& triple : triples)
-      if (triple.a == v[0] && triple.b == v[1] && triple.c == v[2]) {
-        ++triple.votes;
-        return;
-      }
-    triples.push_back({v[0], v[1], v[2], 1});
-  }
-
-  void survey_witness(std::uint32_t seed, std::uint32_t point)
+    std::uint32_t low, high;
+    std::uint32_t votes;
+  };
+  struct Stranger
   {
-    const NearestSeeds& nearest = sampling_.nearest[point];
-    if (witness_[point] == 0) return;
-    SeedPair& p = pair(seed, nearest.seed[1]);
-    ++p.witnesses;
-    p.path = std::min(p.path, nearest.distance[0] + nearest.distance[1]);
-  }
-
-  /** \brief Every graph edge into another cell, seen from both sides. Leaves the other cells' nearest points. */
-  void survey_borders(std::uint32_t seed, std::uint32_t point)
-  {
-    others_.clear();
-    for (const std::uint32_t neighbor : graph_.neighbors(point)) {
-      const NearestSeeds& nearest = sampling_.nearest[neighbor];
-      const std::uint32_t label = nearest.seed[0];
-      if (label == seed) continue;
-      const float edge = 0.5F * (weights_.at(point) + weights_.at(neighbor)) *
-                         (points_.position[point] - points_.position[neighbor]).norm();
-      SeedPair& p = pair(seed, label);
-      p.path = std::min(p.path, sampling_.nearest[point].distance[0] + edge + nearest.distance[0]);
-      others_.push_back({label, neighbor});
-    }
-  }
-
-  /** \brief Graph triangles with three labels. One walk over each row, looking up who else is a neighbour: rows times
-   * rows would be cubic in k. */
-  void survey_corners(std::uint32_t seed)
-  {
-    const auto is_third = [this](const Other& other) { return other.label != others_.front().label; };
-    if (std::none_of(others_.begin(), others_.end(), is_third)) return;
-    std::sort(others_.begin(), others_.end(), [](const Other& x, const Other& y) { return x.point < y.point; });
-    for (const Other& other : others_)
-      for (const std::uint32_t next : graph_.neighbors(other.point)) {
-        if (next <= other.point) continue;
-        const auto place = std::lower_bound(others_.begin(), others_.end(), next,
-                                            [](const Other& x, std::uint32_t p) { return x.point < p; });
-        if (place != others_.end() && place->point == next && place->label != other.label)
-          vote(seed, other.label, place->label);
-      }
-  }
-
-  /** \brief A point about as far from three seeds is near the place where their cells meet. */
-  void survey_equidistant(std::uint32_t point)
-  {
-    const NearestSeeds& nearest = sampling_.nearest[point];
-    if (nearest.distance[2] - nearest.distance[0] < corner_threshold * static_cast<float>(sampling_.radius))
-      vote(nearest.seed[0], nearest.seed[1], nearest.seed[2]);
-  }
-
-  struct Other
-  {
-    std::uint32_t label;
+    std::uint32_t label;  ///< not of the cell that is surveyed
     std::uint32_t point;
   };
+
+  Border& border(std::uint32_t other)
+  {
+    for (Border& b : borders_)
+      if (b.other == other) return b;
+    borders_.push_back({other, 0, NearestSeeds::infinity});
+    return borders_.back();
+  }
+
+  void vote(std::uint32_t s, std::uint32_t t)
+  {
+    const auto [low, high] = std::minmax(s, t);
+    for (Corner& c : corners_)
+      if (c.low == low && c.high == high) {
+        ++c.votes;
+        return;
+      }
+    corners_.push_back({low, high, 1});
+  }
+
+  void count_witness(const NearestSeeds& nearest)
+  {
+    Border& b = border(nearest.seed[1]);
+    ++b.witnesses;
+    b.path = std::min(b.path, nearest.distance[0] + nearest.distance[1]);
+  }
+
+  /** \brief Looks for points of other cells among those that surround this one: the nearest one of each cell shows a
+   * border. Both sides of a border do so. */
+  void survey_surroundings(std::uint32_t point, float distance)
+  {
+    const NeighborSpan row = graph_.nearest(point);
+    if (strangers_.size() < row.size()) strangers_.resize(row.size());
+    // Whether the next one is a stranger cannot be foretold: written without a branch this takes half the time.
+    std::size_t count = 0;
+    for (const std::uint32_t neighbor : row) {
+      const std::uint32_t label = nearest_[neighbor].seed[0];
+      strangers_[count] = {label, neighbor};
+      count += label != seed_ ? 1 : 0;
+    }
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Stranger stranger = strangers_[i];
+      const auto same_cell = [&](const Stranger& nearer) { return nearer.label == stranger.label; };
+      if (std::any_of(strangers_.data(), strangers_.data() + cells, same_cell)) continue;
+      strangers_[cells++] = stranger;
+      survey_edge(point, distance, stranger);
+    }
+    if (cells > 1) survey_corner(cells, (at(point) - at(*(row.end() - 1))).squaredNorm());
+  }
+
+  void survey_edge(std::uint32_t point, float distance, const Stranger& stranger)
+  {
+    Border& b = border(stranger.label);
+    const float both = distance + nearest_[stranger.point].distance[0];
+    if (both >= b.path) return;
+    const float weight = 0.5F * (weights_.at(point) + weights_.at(stranger.point));
+    b.path = std::min(b.path, both + weight * (at(point) - at(stranger.point)).norm());
+  }
+
+  /** \brief Three cells meet where points of two others are as near to each other as neighbours are. */
+  void survey_corner(std::size_t cells, float reach2)
+  {
+    for (std::size_t i = 1; i < cells; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if ((at(strangers_[i].point) - at(strangers_[j].point)).squaredNorm() <= reach2)
+          vote(strangers_[i].label, strangers_[j].label);
+  }
+
+  [[nodiscard]] const Eigen::Vector3f& at(std::uint32_t point) const { return points_.position[point]; }
 
   static constexpr float corner_threshold = 0.2F;  // radii; a point this near to a Voronoi vertex votes for it
 
   const OrderedPoints& points_;
   const NeighborGraph& graph_;
   const EdgeWeights& weights_;
-  const PoissonDiskSampling& sampling_;
-  const std::vector<std::uint8_t>& witness_;
-  std::vector<Other> others_;
+  const std::vector<NearestSeeds>& nearest_;
+  const WitnessRule& is_witness_;
+  float corner_limit_;
+  std::uint32_t seed_ = NearestSeeds::none;
+  std::vector<Border> borders_;
+  std::vector<Corner> corners_;
+  std::vector<Stranger> strangers_;  ///< of one point: the first few of different cells
 };
-
-std::vector<std::uint8_t> find_witnesses(const PoissonDiskSampling& sampling,
-                                         double threshold,
-                                         const Parallel& parallel)
-{
-  constexpr std::size_t block = 65536;
-  const auto radius = static_cast<float>(sampling.radius);
-  const auto largest_difference = static_cast<float>(threshold * sampling.radius);
-  std::vector<std::uint8_t> witness(sampling.nearest.size());
-  parallel.each(witness.size(), block, [&](std::size_t i) {
-    const NearestSeeds& nearest = sampling.nearest[i];
-    witness[i] =
-        nearest.distance[1] <= radius && nearest.distance[1] - nearest.distance[0] < largest_difference ? 1 : 0;
-  });
-  return witness;
-}
-
-/** \brief Both sides of a border report it, in any order of blocks; sorting and adding up leaves one of each. */
-void merge_pairs(std::vector<SeedPair>& pairs)
-{
-  std::sort(pairs.begin(), pairs.end(),
-            [](const SeedPair& x, const SeedPair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < pairs.size(); ++i) {
-    if (pairs[i].a == pairs[last].a && pairs[i].b == pairs[last].b) {
-      pairs[last].witnesses += pairs[i].witnesses;
-      pairs[last].path = std::min(pairs[last].path, pairs[i].path);
-    } else {
-      pairs[++last] = pairs[i];
-    }
-  }
-  if (!pairs.empty()) pairs.resize(last + 1);
-}
-
-void merge_triples(std::vector<SeedTriple>& triples)
-{
-  std::sort(triples.begin(), triples.end(),
-            [](const SeedTriple& x, const SeedTriple& y) { return std::tie(x.a, x.b, x.c) < std::tie(y.a, y.b, y.c); });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < triples.size(); ++i) {
-    if (triples[i].a == triples[last].a && triples[i].b == triples[last].b && triples[i].c == triples[last].c)
-      triples[last].votes += triples[i].votes;
-    else
-      triples[++last] = triples[i];
-  }
-  if (!triples.empty()) triples.resize(last + 1);
-}
-
-/** \brief Drops evidence for edges that no two overlapping disks could give: it leaps a gap in the points. */
-void drop_leaps(const OrderedPoints& points, const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi)
-{
-  const auto limit = static_cast<float>(longest_dual_edge * sampling.radius);
-  const auto leaps = [&](std::uint32_t s, std::uint32_t t) {
-    return (points.position[sampling.seeds[s]] - points.position[sampling.seeds[t]]).norm() > limit;
-  };
-  const auto pair_leaps = [&](const SeedPair& p) { return leaps(p.a, p.b); };
-  const auto triple_leaps = [&](const SeedTriple& t) { return leaps(t.a, t.b) || leaps(t.b, t.c) || leaps(t.a, t.c); };
-  voronoi.pairs.erase(std::remove_if(voronoi.pairs.begin(), voronoi.pairs.end(), pair_leaps), voronoi.pairs.end());
-  voronoi.triples.erase(std::remove_if(voronoi.triples.begin(), voronoi.triples.end(), triple_leaps),
-                        voronoi.triples.end());
-}
-
-template <typename T>
-void append(std::vector<T>& all, const std::vector<T>& more)
-{
-  all.insert(all.end(), more.begin(), more.end());
-}
 
 }  // namespace
 
@@ -215,27 +214,33 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
                                        const Parallel& parallel)
 {
   GeodesicVoronoi voronoi;
-  group_by_cell(sampling, voronoi);
-  voronoi.witness = find_witnesses(sampling, threshold, parallel);
+  group_by_cell(sampling, voronoi, parallel);
+  voronoi.witness.resize(sampling.nearest.size());
 
+  const WitnessRule is_witness(sampling, threshold);
   std::vector<std::vector<SeedPair>> pairs(parallel.threads());
   std::vector<std::vector<SeedTriple>> triples(parallel.threads());
   parallel.blocks(sampling.seeds.size(), cells_per_block, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    CellSurvey cell(points, graph, weights, sampling, voronoi.witness);
+    CellSurvey cell(points, graph, weights, sampling, is_witness);
     for (std::size_t s = begin; s < end; ++s) {
-      const std::uint32_t* first = voronoi.cell_point.data();
-      cell.survey(static_cast<std::uint32_t>(s), first + voronoi.cell_begin[s], first + voronoi.cell_begin[s + 1]);
-      append(pairs[worker], cell.pairs);
-      append(triples[worker], cell.triples);
+      std::uint32_t* const first = voronoi.cell_point.data() + voronoi.cell_begin[s];
+      std::uint32_t* const last = voronoi.cell_point.data() + voronoi.cell_begin[s + 1];
+      if (!std::is_sorted(first, last)) std::sort(first, last);
+      cell.survey(static_cast<std::uint32_t>(s), first, last, voronoi.witness);
+      cell.append_to(pairs[worker], triples[worker]);
     }
   });
-  for (unsigned worker = 0; worker < parallel.threads(); ++worker) {
-    append(voronoi.pairs, pairs[worker]);
-    append(voronoi.triples, triples[worker]);
-  }
-  merge_pairs(voronoi.pairs);
-  merge_triples(voronoi.triples);
-  drop_leaps(points, sampling, voronoi);
+
+  // Evidence for edges that no two overlapping disks could give leaps a gap in the points.
+  const auto limit2 = static_cast<float>(longest_dual_edge * longest_dual_edge * sampling.radius * sampling.radius);
+  const auto near = [&](std::uint32_t s, std::uint32_t t) {
+    return (points.position[sampling.seeds[s]] - points.position[sampling.seeds[t]]).squaredNorm() <= limit2;
+  };
+  voronoi.pairs = merge_evidence(
+      pairs, sampling.seeds.size(), [&](const SeedPair& p) { return near(p.a, p.b); }, parallel);
+  voronoi.triples = merge_evidence(
+      triples, sampling.seeds.size(),
+      [&](const SeedTriple& t) { return near(t.a, t.b) && near(t.b, t.c) && near(t.a, t.c); }, parallel);
   return voronoi;
 }
 

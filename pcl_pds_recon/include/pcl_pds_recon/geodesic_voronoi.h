@@ -42,7 +42,7 @@ struct GeodesicVoronoi
 /** \brief Finds cells, witness points, bordering pairs and meeting triples (paper, flowchart steps 6 and 7).
  *
  * A witness lies in the disks of its two nearest seeds at distances that differ by less than the threshold. Short
- * Voronoi edges have no witness; there, the edges of the neighbourhood graph that cross the border count. O(n k).
+ * Voronoi edges have no witness; there, points count whose nearest neighbours lie in other cells. O(n k).
  * \param threshold in radii
  */
 [[nodiscard]] GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
