@@ -13,6 +13,11 @@ install(
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 if(TARGET pcl_pds_recon_tool)
   install(TARGETS pcl_pds_recon_tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  foreach(plugin IN ITEMS pcl_pds_recon_vtk)
+    if(TARGET ${plugin})
+      install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/pcl_pds_recon")
+    endif()
+  endforeach()
 endif()
 
 install(

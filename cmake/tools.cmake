@@ -2,6 +2,9 @@
 # The programs: each is built if its libraries are there.
 find_package(Boost QUIET COMPONENTS program_options)
 find_package(nlohmann_json QUIET)
+find_library(LZF_LIBRARY lzf)
+find_path(LZF_INCLUDE_DIR lzf.h PATH_SUFFIXES liblzf)
+mark_as_advanced(LZF_LIBRARY LZF_INCLUDE_DIR)
 find_package(spdlog QUIET)
 find_package(VTK 9.0 QUIET COMPONENTS CommonCore CommonDataModel FiltersCore IOImage IOPLY RenderingCore
                                       RenderingOpenGL2)
@@ -15,6 +18,9 @@ if(NOT nlohmann_json_FOUND)
 endif()
 if(NOT spdlog_FOUND)
   list(APPEND missing "spdlog (libspdlog-dev)")
+endif()
+if(NOT LZF_LIBRARY OR NOT LZF_INCLUDE_DIR)
+  list(APPEND missing "LibLZF (liblzf-dev)")
 endif()
 list(JOIN missing ", " missing)
 

@@ -6,6 +6,7 @@
 #include "outputs.h"
 #include "progress.h"
 
+#include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/reconstruction.h>
 
 #include <spdlog/fmt/fmt.h>
@@ -118,7 +119,7 @@ void run(const CommandLine& command_line)
   print_options(command_line, progress);
 
   progress.start_stage("load", 0);
-  const PointTable points = read_points(command_line.input);
+  const PointTable points = read_points(command_line.input, Parallel(command_line.options.threads));
   const double load_seconds = since_start.seconds();
 
   Reconstruction result = reconstruct_table(points, command_line, progress);

@@ -35,16 +35,16 @@ TEST_F(Run, utm_coordinates_come_back_to_the_last_bit)
   write("in.xyz", sphere_rows(point_count, 10, 500000.001, 5234567.123));
   ASSERT_EQ(run("-q in.xyz text.ply"), 0) << errors();
   EXPECT_EQ(output() + errors(), "");
-  const PointTable mesh = read_points(path("text.ply"));
+  const PointTable mesh = read_points(path("text.ply"), Parallel(2));
   EXPECT_TRUE(mesh.has_double_positions());
-  const auto input = positions(read_points(path("in.xyz")));
+  const auto input = positions(read_points(path("in.xyz"), Parallel(2)));
   const auto vertices = positions(mesh);
   EXPECT_EQ(vertices.size(), mesh.size()) << "each input point once";
   EXPECT_TRUE(std::includes(input.begin(), input.end(), vertices.begin(), vertices.end()));
 
   ASSERT_EQ(run("-q --voronoi cloud.ply in.xyz again.ply"), 0) << errors();  // the cloud as a PLY of doubles
   ASSERT_EQ(run("-q cloud.ply ply.ply"), 0) << errors();
-  EXPECT_EQ(positions(read_points(path("ply.ply"))), vertices);
+  EXPECT_EQ(positions(read_points(path("ply.ply"), Parallel(2))), vertices);
 }
 
 TEST_F(Run, colors_and_intensity_of_a_pcd_reach_the_ply)
@@ -54,7 +54,7 @@ TEST_F(Run, colors_and_intensity_of_a_pcd_reach_the_ply)
                       std::to_string(point_count) + "\nDATA ascii\n" +
                       sphere_rows(point_count, 1, 0, 0, " 16744703 0.1"));
   ASSERT_EQ(run("-q in.pcd out.ply"), 0) << errors();
-  const PointTable mesh = read_points(path("out.ply"));
+  const PointTable mesh = read_points(path("out.ply"), Parallel(2));
   EXPECT_EQ(describe_fields(mesh), "x:float y:float z:float red:uchar green:uchar blue:uchar intensity:float");
   for (std::size_t row = 0; row < mesh.size(); ++row) {
     const std::vector<double> values = row_values(mesh, row);
@@ -71,14 +71,14 @@ TEST_F(Run, report_and_voronoi_file_agree_with_the_mesh)
   const auto report = nlohmann::json::parse(read("r.json"));
   EXPECT_EQ(report["input_points"], point_count + 1);
   EXPECT_EQ(report["valid_points"], point_count);
-  EXPECT_EQ(report["vertices"], read_points(path("out.ply")).size());
+  EXPECT_EQ(report["vertices"], read_points(path("out.ply"), Parallel(2)).size());
   EXPECT_GT(report["peak_rss_bytes"], 1000000);
   const auto& seconds = report["seconds"];
   EXPECT_GT(seconds["load"], 0);
   EXPECT_GT(seconds["save"], 0);
   EXPECT_GE(seconds["total"].get<double>(), seconds["load"].get<double>() + seconds["save"].get<double>());
 
-  const PointTable cloud = read_points(path("v.ply"));
+  const PointTable cloud = read_points(path("v.ply"), Parallel(2));
   EXPECT_EQ(describe_fields(cloud), "x:double y:double z:double label:int distance:float witness:uchar seed:uchar");
   ASSERT_EQ(cloud.size(), point_count + 1);
   EXPECT_EQ(cloud.value(point_count, *cloud.find("label")), -1);

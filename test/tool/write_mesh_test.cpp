@@ -60,7 +60,7 @@ TEST_F(WriteMesh, ply_gives_every_bit_of_every_field_back)
 {
   const PointTable points = utm_points();
   for (const bool ascii : {false, true}) {
-    const PointTable same = read_points(save("mesh.ply", points, ascii));
+    const PointTable same = read_points(save("mesh.ply", points, ascii), Parallel(2));
     EXPECT_EQ(describe_fields(same), describe_fields(points));
     ASSERT_EQ(same.size(), points.size());
     for (std::size_t row = 0; row < points.size(); ++row) {
@@ -84,7 +84,7 @@ TEST_F(WriteMesh, ply_has_faces)
 TEST_F(WriteMesh, obj_keeps_coordinates_and_colors_to_the_last_bit)
 {
   const PointTable points = utm_points();
-  const PointTable same = read_points(save("mesh.obj", points));
+  const PointTable same = read_points(save("mesh.obj", points), Parallel(2));
   ASSERT_EQ(same.size(), points.size());
   for (std::size_t row = 0; row < points.size(); ++row) {
     for (const Field& field : same.fields()) {

@@ -8,11 +8,9 @@
 
 #include <algorithm>
 #include <boost/endian/conversion.hpp>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
-#include <type_traits>
 
 namespace pds
 {
@@ -76,7 +74,7 @@ class AsciiBody
   Scalar next(Scalar scalar)
   {
     const std::string_view token = next_token();
-    if (!parse_number(token, scalar) && !parse_whole(token, scalar)) {
+    if (!parse_scalar(token, scalar)) {
       throw InvalidInput("'" + std::string(token.substr(0, 40)) +
                          "' is not a value of the type that the PLY header announces; correct the value or the type");
     }
@@ -101,20 +99,6 @@ class AsciiBody
       throw_truncated_ply();
     }
     return token;
-  }
-
-  /** Some tools write integers as 255.000000. */
-  template <typename Scalar>
-  static bool parse_whole(std::string_view token, Scalar& scalar)
-  {
-    double value = 0;
-    if (!std::is_integral_v<Scalar> || !parse_number(token, value) || std::trunc(value) != value ||
-        value < static_cast<double>(std::numeric_limits<Scalar>::lowest()) ||
-        value > static_cast<double>(std::numeric_limits<Scalar>::max())) {
-      return false;
-    }
-    scalar = static_cast<Scalar>(value);
-    return true;
   }
 
   std::size_t size_;

@@ -3,10 +3,14 @@
 
 #include "io/ply_body.h"
 #include "io/ply_header.h"
+#include "io/record_reader.h"
 
 #include <pcl_pds_recon/options.h>
 
+#include <algorithm>
+#include <boost/endian/conversion.hpp>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace pds
@@ -16,78 +20,130 @@ namespace
 {
 
 /** A property of the file and where its scalar goes. */
-struct Column
+struct Target
 {
   ScalarType type;
   std::optional<ScalarType> list_size_type;
-  const Field* target;  ///< nullptr for a list
+  const Field* field;  ///< nullptr for a list
 };
 
 template <typename Body>
-void read_row(Body& body, const std::vector<Column>& columns, PointTable& table, std::size_t row)
+void read_row(Body& body, const std::vector<Target>& columns, PointTable& table, std::size_t row)
 {
-  for (const Column& column : columns) {
+  for (const Target& column : columns) {
     if (column.list_size_type) {
       skip_list(body, *column.list_size_type, column.type);
       continue;
     }
     visit_scalar(column.type, [&](auto zero) {
       const auto scalar = body.next(zero);
-      if (column.type == column.target->type) {
-        std::memcpy(table.record(row) + column.target->offset, &scalar, sizeof scalar);
+      if (column.type == column.field->type) {
+        std::memcpy(table.record(row) + column.field->offset, &scalar, sizeof scalar);
       } else {
-        table.set_value(row, *column.target, static_cast<double>(scalar));
+        table.set_value(row, *column.field, static_cast<double>(scalar));
       }
     });
   }
 }
 
-PointTable make_table(const PlyElement& vertex)
+std::vector<Column> scalar_columns(const PlyElement& element)
 {
-  std::vector<Field> fields;
-  for (const PlyProperty& property : vertex.properties) {
+  std::vector<Column> columns;
+  std::size_t offset = 0;
+  for (const PlyProperty& property : element.properties) {
     if (!property.list_size_type) {
-      fields.push_back({property.name, property.type});
+      columns.push_back({property.name, property.type, offset});
+      offset += size_of(property.type);
     }
   }
-  return PointTable(std::move(fields));
+  return columns;
 }
 
+/** Scalar by scalar: for text, and for lists, whose sizes are known only when they are met. */
 template <typename Body>
-PointTable read_vertices(Body body, const std::vector<PlyElement>& elements)
+PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std::size_t vertex_index)
 {
-  auto vertex = elements.begin();
-  while (vertex != elements.end() && vertex->name != "vertex") {
-    skip_element(body, *vertex++);
-  }
-  if (vertex == elements.end()) {
-    throw InvalidInput("the PLY file has no element 'vertex'; write the points as vertices");
-  }
-  PointTable table = make_table(*vertex);
-  std::vector<Column> columns;
+  std::for_each_n(elements.begin(), vertex_index, [&body](const PlyElement& element) { skip_element(body, element); });
+  const PlyElement& vertex = elements[vertex_index];
   std::size_t least_row_bytes = 0;
-  for (const PlyProperty& property : vertex->properties) {
-    const Field* target = property.list_size_type ? nullptr : table.find(property.name);
-    columns.push_back({property.type, property.list_size_type, target});
+  for (const PlyProperty& property : vertex.properties) {
     least_row_bytes += Body::least_bytes(property.list_size_type.value_or(property.type));
   }
   // Before the memory is asked for: a damaged header may announce any number of points.
-  if (vertex->count > body.remaining() / least_row_bytes) {
+  if (vertex.count > body.remaining() / std::max<std::size_t>(1, least_row_bytes)) {
     throw_truncated_ply();
   }
-  table.resize(static_cast<std::size_t>(vertex->count));
+  PointTable table = make_table(scalar_columns(vertex), static_cast<std::size_t>(vertex.count));
+  std::vector<Target> targets;
+  for (const PlyProperty& property : vertex.properties) {
+    const Field* field = property.list_size_type ? nullptr : table.find(property.name);
+    targets.push_back({property.type, property.list_size_type, field});
+  }
   for (std::size_t row = 0; row < table.size(); ++row) {
-    read_row(body, columns, table, row);
+    read_row(body, targets, table, row);
   }
   return table;
 }
 
+bool has_list(const PlyElement& element)
+{
+  return std::any_of(element.properties.begin(), element.properties.end(),
+                     [](const PlyProperty& property) { return property.list_size_type.has_value(); });
+}
+
+std::size_t row_bytes(const PlyElement& element)
+{
+  return std::accumulate(element.properties.begin(), element.properties.end(), std::size_t{0},
+                         [](std::size_t bytes, const PlyProperty& property) { return bytes + size_of(property.type); });
+}
+
+boost::endian::order byte_order(const PlyHeader& header)
+{
+  return header.encoding == PlyEncoding::big_endian ? boost::endian::order::big : boost::endian::order::little;
+}
+
+/** Records of one size, so that all of them can be found at once. */
+PointTable read_binary_records(const ByteSource& source,
+                               const PlyHeader& header,
+                               std::size_t vertex_index,
+                               const Parallel& parallel)
+{
+  RecordLayout layout;
+  layout.begin = header.bytes;
+  layout.order = byte_order(header);
+  for (std::size_t i = 0; i <= vertex_index; ++i) {
+    const PlyElement& element = header.elements[i];
+    layout.record_bytes = row_bytes(element);
+    layout.count = element.count;
+    const std::size_t remaining = source.size() - layout.begin;
+    if (layout.record_bytes > 0 && layout.count > remaining / layout.record_bytes) {
+      throw_truncated_ply();
+    }
+    if (i < vertex_index) {
+      layout.begin += static_cast<std::size_t>(layout.count) * layout.record_bytes;
+    }
+  }
+  layout.columns = scalar_columns(header.elements[vertex_index]);
+  return read_records(source, layout, parallel);
+}
+
 }  // namespace
 
-PointTable read_ply(std::string_view file)
+PointTable read_ply(const ByteSource& source, const Parallel& parallel)
 {
-  const PlyHeader header = parse_ply_header(file);
-  return visit_ply_body(header, file, [&header](auto body) { return read_vertices(std::move(body), header.elements); });
+  const PlyHeader header = parse_ply_header(source.head_through_line("end_header"));
+  const std::vector<PlyElement>& elements = header.elements;
+  const auto vertex = std::find_if(elements.begin(), elements.end(),
+                                   [](const PlyElement& element) { return element.name == "vertex"; });
+  if (vertex == elements.end()) {
+    throw InvalidInput("the PLY file has no element 'vertex'; write the points as vertices");
+  }
+  const auto vertex_index = static_cast<std::size_t>(vertex - elements.begin());
+  if (header.encoding != PlyEncoding::ascii && std::none_of(elements.begin(), vertex + 1, has_list)) {
+    return read_binary_records(source, header, vertex_index, parallel);
+  }
+  const std::string file = source.all();
+  return visit_ply_body(header, file, [&](auto body) { return read_vertices(body, elements, vertex_index); });
 }
 
 }  // namespace pds

@@ -3,6 +3,7 @@
 
 #include "io/ascii_writer.h"
 
+#include <algorithm>
 #include <boost/endian/conversion.hpp>
 #include <cstring>
 #include <string>
@@ -15,6 +16,26 @@ namespace
 
 static_assert(boost::endian::order::native == boost::endian::order::little,
               "records are written as they lie in memory");
+
+bool is_wide_integer(const Field& field) { return field.type == ScalarType::int64 || field.type == ScalarType::uint64; }
+
+/** The same points with doubles in place of wide integers, which PLY does not have. */
+PointTable without_wide_integers(const PointTable& points)
+{
+  std::vector<Field> doubles;
+  for (const Field& field : points.fields()) {
+    if (is_wide_integer(field)) {
+      doubles.push_back({field.name, ScalarType::float64});
+    }
+  }
+  PointTable table = points.with_fields(doubles);
+  for (const Field& field : doubles) {
+    for (std::size_t row = 0; row < table.size(); ++row) {
+      table.set_value(row, *table.find(field.name), points.value(row, *points.find(field.name)));
+    }
+  }
+  return table;
+}
 
 std::string header(const PointTable& points, std::size_t face_count, bool ascii)
 {
@@ -54,17 +75,22 @@ void write_ascii_body(AtomicFile& file, const PointTable& points, const Triangle
 void write_binary_body(AtomicFile& file, const PointTable& points, const Triangles& triangles)
 {
   file.write(points.record(0), points.size() * points.record_bytes());
-  for (const auto& triangle : triangles) {
-    constexpr unsigned char side_count = 3;
-    file.write(&side_count, sizeof side_count);
-    file.write(triangle.data(), sizeof triangle);
+  constexpr std::size_t face_bytes = 1 + sizeof triangles.front();
+  std::string faces(triangles.size() * face_bytes, '\3');  // each starts with its number of corners
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    std::memcpy(faces.data() + i * face_bytes + 1, &triangles[i], sizeof triangles[i]);
   }
+  file.write(faces.data(), faces.size());
 }
 
 }  // namespace
 
 void write_ply(AtomicFile& file, const PointTable& points, const Triangles& triangles, bool ascii)
 {
+  if (std::any_of(points.fields().begin(), points.fields().end(), is_wide_integer)) {
+    write_ply(file, without_wide_integers(points), triangles, ascii);
+    return;
+  }
   const std::string text = header(points, triangles.size(), ascii);
   file.write(text.data(), text.size());
   (ascii ? write_ascii_body : write_binary_body)(file, points, triangles);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -70,13 +71,15 @@ const char* ply_name(ScalarType type)
       return "uint";
     case ScalarType::float32:
       return "float";
+    case ScalarType::int64:
+    case ScalarType::uint64:
     case ScalarType::float64:
       break;
   }
   return "double";
 }
 
-PointTable::PointTable(std::vector<Field> fields) : fields_(std::move(fields))
+PointTable::PointTable(std::vector<Field> fields, std::size_t size) : fields_(std::move(fields))
 {
   std::set<std::string> names;
   for (const Field& field : fields_) {
@@ -96,11 +99,19 @@ PointTable::PointTable(std::vector<Field> fields) : fields_(std::move(fields))
     field.offset = record_bytes_;
     record_bytes_ += size_of(field.type);
   }
+  resize(size);
 }
 
 void PointTable::resize(std::size_t size)
 {
-  records_.resize(size * record_bytes_);
+  std::unique_ptr<std::byte[], Free> records(static_cast<std::byte*>(std::calloc(size, record_bytes_)));
+  if (!records && size > 0) {
+    throw std::bad_alloc();
+  }
+  if (const std::size_t kept = std::min(size, size_); kept > 0) {
+    std::memcpy(records.get(), records_.get(), kept * record_bytes_);
+  }
+  records_ = std::move(records);
   size_ = size;
 }
 
@@ -137,8 +148,7 @@ void PointTable::set_value(std::size_t i, const Field& field, double value)
 
 PointTable PointTable::select(const std::vector<std::uint32_t>& indices, std::size_t count) const
 {
-  PointTable selected(fields_);
-  selected.resize(count);
+  PointTable selected(fields_, count);
   for (std::size_t i = 0; i < count; ++i) {
     std::memcpy(selected.record(i), record(indices[i]), record_bytes_);
   }
@@ -155,9 +165,8 @@ PointTable PointTable::with_fields(const std::vector<Field>& added) const
   std::vector<Field> all = kept;
   all.insert(all.end(), added.begin(), added.end());
 
-  PointTable table(all);
+  PointTable table(all, size_);
   table.sensor_origin = sensor_origin;
-  table.resize(size_);
   for (const Field& source : kept) {
     const Field& target = *table.find(source.name);
     for (std::size_t i = 0; i < size_; ++i) {
@@ -169,7 +178,7 @@ PointTable PointTable::with_fields(const std::vector<Field>& added) const
 
 Vector3View PointTable::vectors_at(const Field& first) const
 {
-  const std::byte* data = records_.data() + first.offset;
+  const std::byte* data = records_.get() + first.offset;
   return first.type == ScalarType::float64 ? Vector3View(reinterpret_cast<const double*>(data), record_bytes_)
                                            : Vector3View(reinterpret_cast<const float*>(data), record_bytes_);
 }

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +14,7 @@
 namespace pds
 {
 
-/** \brief The scalar types of a PLY property. */
+/** \brief The scalar types of a field: those of a PLY property, and wide integers. */
 enum class ScalarType
 {
   int8,
@@ -21,6 +23,8 @@ enum class ScalarType
   uint16,
   int32,
   uint32,
+  int64,
+  uint64,
   float32,
   float64
 };
@@ -42,6 +46,10 @@ decltype(auto) visit_scalar(ScalarType type, Visitor&& visitor)
       return visitor(std::int32_t{});
     case ScalarType::uint32:
       return visitor(std::uint32_t{});
+    case ScalarType::int64:
+      return visitor(std::int64_t{});
+    case ScalarType::uint64:
+      return visitor(std::uint64_t{});
     case ScalarType::float32:
       return visitor(float{});
     case ScalarType::float64:
@@ -53,7 +61,8 @@ decltype(auto) visit_scalar(ScalarType type, Visitor&& visitor)
 /** \brief Bytes of one scalar. */
 [[nodiscard]] std::size_t size_of(ScalarType type);
 
-/** \brief Name of the type in a PLY header: char, uchar, short, ushort, int, uint, float or double. */
+/** \brief Name of the type in a PLY header: char, uchar, short, ushort, int, uint, float or double; double for wide
+ * integers, which PLY does not have. */
 [[nodiscard]] const char* ply_name(ScalarType type);
 
 /** \brief One scalar per point: x, y, z, intensity, red, ... */
@@ -73,11 +82,12 @@ struct Field
 class PointTable
 {
  public:
-  /** \brief An empty table with these fields.
+  /** \brief A table with these fields and \a size rows of zeros.
    * \throws InvalidInput if x, y or z is missing or a name appears twice
    */
-  explicit PointTable(std::vector<Field> fields);
+  explicit PointTable(std::vector<Field> fields, std::size_t size = 0);
 
+  /** \brief Keeps the first rows; new ones are zero. \throws std::bad_alloc if there is no memory for them */
   void resize(std::size_t size);
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -85,8 +95,8 @@ class PointTable
   [[nodiscard]] const Field* find(const std::string& name) const;  ///< nullptr if there is no such field
 
   [[nodiscard]] std::size_t record_bytes() const { return record_bytes_; }
-  [[nodiscard]] std::byte* record(std::size_t i) { return records_.data() + i * record_bytes_; }
-  [[nodiscard]] const std::byte* record(std::size_t i) const { return records_.data() + i * record_bytes_; }
+  [[nodiscard]] std::byte* record(std::size_t i) { return records_.get() + i * record_bytes_; }
+  [[nodiscard]] const std::byte* record(std::size_t i) const { return records_.get() + i * record_bytes_; }
 
   [[nodiscard]] double value(std::size_t i, const Field& field) const;
   void set_value(std::size_t i, const Field& field, double value);  ///< value must fit the field's type
@@ -114,7 +124,11 @@ class PointTable
   std::size_t record_bytes_ = 0;
   std::size_t size_ = 0;
   bool has_normals_ = false;
-  std::vector<std::byte> records_;
+  struct Free
+  {
+    void operator()(std::byte* memory) const { std::free(memory); }
+  };
+  std::unique_ptr<std::byte[], Free> records_;  ///< of calloc: memory is touched first by the thread that fills it
 };
 
 }  // namespace pds

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/read_points.h"
 
+#include "io/byte_source.h"
 #include "io/file_extension.h"
 #include "io/obj_reader.h"
 #include "io/pcd_reader.h"
@@ -9,66 +10,42 @@
 
 #include <pcl_pds_recon/options.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-
 namespace pds
 {
 
 namespace
 {
 
-std::string read_file(const std::string& path)
+PointTable read_text_format(const std::string& path, PointTable (*reader)(std::string_view))
 {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) {
-    throw InvalidInput("there is no such file; check the path");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw InvalidInput("is not a file but a directory or device; name a file");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw InvalidInput(std::string("cannot be opened (") + std::strerror(errno) + "); check its permissions");
-  }
-  std::string bytes(static_cast<std::size_t>(std::filesystem::file_size(path)), '\0');
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
-    throw InvalidInput(std::string("cannot be read to its end (") + std::strerror(errno) + "); check the disk");
-  }
-  if (bytes.empty()) {
-    throw InvalidInput("the file is empty; write the point cloud again");
-  }
-  return bytes;
+  return reader(ByteSource::from_file(path).all());
 }
 
-PointTable read_by_extension(const std::string& path)
+PointTable read_by_extension(const std::string& path, const Parallel& parallel)
 {
   const std::string extension = file_extension(path);
-  using Reader = PointTable (*)(std::string_view);
-  Reader reader = nullptr;
   if (extension == ".ply") {
-    reader = read_ply;
-  } else if (extension == ".obj") {
-    reader = read_obj;
-  } else if (extension == ".xyz" || extension == ".txt" || extension == ".csv") {
-    reader = read_text;
-  } else if (extension != ".pcd") {
-    throw InvalidInput("cannot tell the format by the extension '" + extension +
-                       "'; use .pcd, .ply, .obj, .xyz, .txt or .csv");
+    return read_ply(ByteSource::from_file(path), parallel);
   }
-  const std::string bytes = read_file(path);
-  return reader ? reader(bytes) : read_pcd(path, bytes);
+  if (extension == ".pcd") {
+    return read_pcd(ByteSource::from_file(path), parallel);
+  }
+  if (extension == ".obj") {
+    return read_text_format(path, read_obj);
+  }
+  if (extension == ".xyz" || extension == ".txt" || extension == ".csv") {
+    return read_text_format(path, read_text);
+  }
+  throw InvalidInput("cannot tell the format by the extension '" + extension +
+                     "'; use .pcd, .ply, .obj, .xyz, .txt or .csv");
 }
 
 }  // namespace
 
-PointTable read_points(const std::string& path)
+PointTable read_points(const std::string& path, const Parallel& parallel)
 {
   try {
-    PointTable table = read_by_extension(path);
+    PointTable table = read_by_extension(path, parallel);
     if (table.size() == 0) {
       throw InvalidInput("holds no points; write the point cloud again");
     }

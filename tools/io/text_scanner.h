@@ -2,9 +2,12 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 namespace pds
@@ -26,6 +29,31 @@ template <typename Number>
     return false;
   }
   number = parsed;
+  return true;
+}
+
+/** \brief Reads all of \a token as a value of the type of \a scalar, as files hold them: whole numbers may be written
+ * as 255.000000, and floating-point numbers may be too small or too large for their type.
+ * \return false, and \a scalar unchanged, if the token is anything else
+ */
+template <typename Scalar>
+[[nodiscard]] bool parse_scalar(std::string_view token, Scalar& scalar)
+{
+  if (parse_number(token, scalar)) {
+    return true;
+  }
+  double value = 0;
+  if (!parse_number(token, value)) {
+    return false;
+  }
+  if constexpr (std::is_integral_v<Scalar>) {
+    // Exact for all types: the greatest value of a 64-bit integer rounds up to a power of two.
+    if (std::trunc(value) != value || value < static_cast<double>(std::numeric_limits<Scalar>::lowest()) ||
+        value >= std::ldexp(1.0, std::numeric_limits<Scalar>::digits)) {
+      return false;
+    }
+  }
+  scalar = static_cast<Scalar>(value);
   return true;
 }
 

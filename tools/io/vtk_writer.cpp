@@ -1,160 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/vtk_writer.h"
 
-#include <vtkCellArray.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataWriter.h>
-#include <vtkSmartPointer.h>
-#include <vtkXMLPolyDataWriter.h>
-#include <array>
-#include <initializer_list>
+#include "io/plugin.h"
 
 namespace pds
 {
 
-namespace
+std::string render_with_vtk(const std::string& extension,
+                            const PointTable& points,
+                            const Triangles& triangles,
+                            bool ascii)
 {
-
-using Names = std::initializer_list<const char*>;
-
-int vtk_type(ScalarType type)
-{
-  switch (type) {
-    case ScalarType::int8:
-      return VTK_SIGNED_CHAR;
-    case ScalarType::uint8:
-      return VTK_UNSIGNED_CHAR;
-    case ScalarType::int16:
-      return VTK_SHORT;
-    case ScalarType::uint16:
-      return VTK_UNSIGNED_SHORT;
-    case ScalarType::int32:
-      return VTK_INT;
-    case ScalarType::uint32:
-      return VTK_UNSIGNED_INT;
-    case ScalarType::float32:
-      return VTK_FLOAT;
-    case ScalarType::float64:
-      break;
+  std::string bytes;
+  std::string complaint;
+  try {
+    void* function = load_plugin_function("pcl_pds_recon_vtk", "pcl_pds_recon_render_with_vtk");
+    reinterpret_cast<decltype(&pcl_pds_recon_render_with_vtk)>(function)(extension, points, triangles, ascii, bytes,
+                                                                         complaint);
+  } catch (const PluginError& error) {
+    complaint = "'" + extension + "' cannot be written: " + error.what() + ", or write .ply, which does without";
   }
-  return VTK_DOUBLE;
-}
-
-/** One array of as many components as names; all these fields have the type of the first. */
-vtkSmartPointer<vtkDataArray> make_array(const PointTable& points, Names names)
-{
-  const ScalarType type = points.find(*names.begin())->type;
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(type)));
-  array->SetNumberOfComponents(static_cast<int>(names.size()));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
-  int component = 0;
-  for (const char* name : names) {
-    const Field& field = *points.find(name);
-    for (std::size_t row = 0; row < points.size(); ++row) {
-      array->SetComponent(static_cast<vtkIdType>(row), component, points.value(row, field));
-    }
-    ++component;
+  if (!complaint.empty()) {
+    throw OutputError(complaint);
   }
-  return array;
-}
-
-bool is_one_of(const std::string& name, Names names)
-{
-  for (const char* other : names) {
-    if (name == other) {
-      return true;
-    }
-  }
-  return false;
-}
-
-void add_fields(const PointTable& points, vtkPointData& data)
-{
-  const bool has_colors = points.has_byte_colors();
-  if (points.has_normals()) {
-    const auto normals = make_array(points, {"nx", "ny", "nz"});
-    normals->SetName("Normals");
-    data.SetNormals(normals);
-  }
-  if (has_colors) {
-    const auto colors = make_array(points, {"red", "green", "blue"});
-    colors->SetName("RGB");
-    data.SetScalars(colors);
-  }
-  for (const Field& field : points.fields()) {
-    const bool is_done = is_one_of(field.name, {"x", "y", "z"}) ||
-                         (points.has_normals() && is_one_of(field.name, {"nx", "ny", "nz"})) ||
-                         (has_colors && is_one_of(field.name, {"red", "green", "blue"}));
-    if (!is_done) {
-      const auto array = make_array(points, {field.name.c_str()});
-      array->SetName(field.name.c_str());
-      data.AddArray(array);
-    }
-  }
-}
-
-vtkSmartPointer<vtkPolyData> make_poly_data(const PointTable& points, const Triangles& triangles)
-{
-  vtkNew<vtkPoints> positions;
-  positions->SetData(make_array(points, {"x", "y", "z"}));
-  vtkNew<vtkCellArray> faces;
-  for (const auto& triangle : triangles) {
-    const std::array<vtkIdType, 3> corners = {triangle[0], triangle[1], triangle[2]};
-    faces->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(positions);
-  mesh->SetPolys(faces);
-  add_fields(points, *mesh->GetPointData());
-  return mesh;
-}
-
-[[noreturn]] void throw_failed()
-{
-  throw OutputError("the mesh cannot be laid out in memory for VTK's format; write .ply, which does without");
-}
-
-void write_vtp(AtomicFile& file, vtkPolyData* mesh, bool ascii)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  if (ascii) {
-    writer->SetDataModeToAscii();
-  }
-  writer->SetInputData(mesh);
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0) {
-    throw_failed();
-  }
-  const std::string text = writer->GetOutputString();
-  file.write(text.data(), text.size());
-}
-
-void write_legacy_vtk(AtomicFile& file, vtkPolyData* mesh, bool ascii)
-{
-  vtkNew<vtkPolyDataWriter> writer;
-  writer->SetFileType(ascii ? VTK_ASCII : VTK_BINARY);
-  writer->SetInputData(mesh);
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0) {
-    throw_failed();
-  }
-  file.write(writer->GetOutputString(), static_cast<std::size_t>(writer->GetOutputStringLength()));
-}
-
-}  // namespace
-
-void write_with_vtk(
-    AtomicFile& file, const std::string& extension, const PointTable& points, const Triangles& triangles, bool ascii)
-{
-  vtkObject::GlobalWarningDisplayOff();  // what goes wrong is reported by the caller, in one line
-  const auto mesh = make_poly_data(points, triangles);
-  // To memory, because the XML writer does not notice that the disk is full.
-  (extension == ".vtp" ? write_vtp : write_legacy_vtk)(file, mesh, ascii);
+  return bytes;
 }
 
 }  // namespace pds

@@ -8,10 +8,22 @@
 namespace pds
 {
 
-/** \brief Writes .vtk or .vtp. Every field is a named array of the points; colours are RGB, normals Normals.
- * \throws OutputError if the file cannot be written
+/** \brief The bytes of a mesh as .vtk or .vtp, made by the plugin that links VTK.
+ *
+ * Every field is a named array of the points; colours are RGB, normals Normals.
+ * \throws OutputError if VTK cannot make them or the plugin is not installed
  */
-void write_with_vtk(
-    AtomicFile& file, const std::string& extension, const PointTable& points, const Triangles& triangles, bool ascii);
+[[nodiscard]] std::string render_with_vtk(const std::string& extension,
+                                          const PointTable& points,
+                                          const Triangles& triangles,
+                                          bool ascii);
+
+/** \brief The plugin's function. What goes wrong is left in \a complaint, since no exception may leave a plugin. */
+extern "C" void pcl_pds_recon_render_with_vtk(const std::string& extension,
+                                              const PointTable& points,
+                                              const Triangles& triangles,
+                                              bool ascii,
+                                              std::string& bytes,
+                                              std::string& complaint);
 
 }  // namespace pds

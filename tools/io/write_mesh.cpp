@@ -65,7 +65,8 @@ void write_mesh(
     write_stl(file, points, triangles, ascii);
   } else {
 #ifdef PCL_PDS_RECON_WITH_VTK
-    write_with_vtk(file, extension, points, triangles, ascii);
+    const std::string bytes = render_with_vtk(extension, points, triangles, ascii);
+    file.write(bytes.data(), bytes.size());
 #else
     throw OutputError("this build has no VTK and cannot write '" + extension + "'; write .ply");
 #endif
