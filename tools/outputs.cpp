@@ -52,7 +52,8 @@ void save_outputs(const CommandLine& command_line,
   std::optional<AtomicFile> voronoi_file;
   if (!command_line.voronoi_file.empty()) {
     voronoi_file.emplace(command_line.voronoi_file);
-    write_ply(*voronoi_file, make_voronoi_table(points, result), {}, command_line.ascii);
+    write_ply(*voronoi_file, make_voronoi_table(points, result, Parallel(command_line.options.threads)), {},
+              command_line.ascii);
     voronoi_file->finish();
   }
   complete_report(result.report);

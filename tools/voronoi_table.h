@@ -13,6 +13,8 @@ namespace pds
  * Added fields, in place of any of the same name: label (int, the seed of the cell; -1: none), distance (float, to that
  * seed), witness (uchar, 1 near a Voronoi edge) and seed (uchar, 1 for seeds).
  */
-[[nodiscard]] PointTable make_voronoi_table(const PointTable& points, const Reconstruction& result);
+[[nodiscard]] PointTable make_voronoi_table(const PointTable& points,
+                                            const Reconstruction& result,
+                                            const Parallel& parallel);
 
 }  // namespace pds

@@ -74,7 +74,8 @@ TEST(PointTable, selects_rows_and_replaces_fields)
   EXPECT_EQ(row_values(selected, 0), row_values(table, 1));
   EXPECT_EQ(row_values(selected, 1), row_values(table, 0));
 
-  const PointTable extended = table.with_fields({{"label", ScalarType::uint8}, {"mark", ScalarType::uint8}});
+  const PointTable extended =
+      table.with_fields({{"label", ScalarType::uint8}, {"mark", ScalarType::uint8}}, Parallel(2));
   EXPECT_EQ(describe_fields(extended),
             "x:double y:double z:double nx:float ny:float nz:float tag:uchar label:uchar mark:uchar");
   EXPECT_EQ(row_values(extended, 1), (Values{10, 11, 12, 13, 14, 15, 17, 0, 0}));

@@ -28,7 +28,7 @@ PointTable without_wide_integers(const PointTable& points)
       doubles.push_back({field.name, ScalarType::float64});
     }
   }
-  PointTable table = points.with_fields(doubles);
+  PointTable table = points.with_fields(doubles, Parallel(1));
   for (const Field& field : doubles) {
     for (std::size_t row = 0; row < table.size(); ++row) {
       table.set_value(row, *table.find(field.name), points.value(row, *points.find(field.name)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/point_cloud_view.h>
 
 #include <cstddef>
@@ -112,7 +113,7 @@ class PointTable
   [[nodiscard]] PointTable select(const std::vector<std::uint32_t>& indices, std::size_t count) const;
 
   /** \brief The same points with these fields in place of any of the same name; the new scalars are zero. */
-  [[nodiscard]] PointTable with_fields(const std::vector<Field>& added) const;
+  [[nodiscard]] PointTable with_fields(const std::vector<Field>& added, const Parallel& parallel) const;
 
   /** \brief What the reconstruction reads; valid as long as the table is neither changed nor destroyed. */
   [[nodiscard]] PointCloudView view() const;
