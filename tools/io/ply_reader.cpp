@@ -20,7 +20,7 @@ namespace
 {
 
 /** A property of the file and where its scalar goes. */
-struct Target
+struct VertexProperty
 {
   ScalarType type;
   std::optional<ScalarType> list_size_type;
@@ -28,19 +28,19 @@ struct Target
 };
 
 template <typename Body>
-void read_row(Body& body, const std::vector<Target>& columns, PointTable& table, std::size_t row)
+void read_row(Body& body, const std::vector<VertexProperty>& properties, PointTable& table, std::size_t row)
 {
-  for (const Target& column : columns) {
-    if (column.list_size_type) {
-      skip_list(body, *column.list_size_type, column.type);
+  for (const VertexProperty& property : properties) {
+    if (property.list_size_type) {
+      skip_list(body, *property.list_size_type, property.type);
       continue;
     }
-    visit_scalar(column.type, [&](auto zero) {
+    visit_scalar(property.type, [&](auto zero) {
       const auto scalar = body.next(zero);
-      if (column.type == column.field->type) {
-        std::memcpy(table.record(row) + column.field->offset, &scalar, sizeof scalar);
+      if (property.type == property.field->type) {
+        std::memcpy(table.record(row) + property.field->offset, &scalar, sizeof scalar);
       } else {
-        table.set_value(row, *column.field, static_cast<double>(scalar));
+        table.set_value(row, *property.field, static_cast<double>(scalar));
       }
     });
   }
@@ -74,7 +74,7 @@ PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std
     throw_truncated_ply();
   }
   PointTable table = make_table(scalar_columns(vertex), static_cast<std::size_t>(vertex.count));
-  std::vector<Target> targets;
+  std::vector<VertexProperty> targets;
   for (const PlyProperty& property : vertex.properties) {
     const Field* field = property.list_size_type ? nullptr : table.find(property.name);
     targets.push_back({property.type, property.list_size_type, field});
