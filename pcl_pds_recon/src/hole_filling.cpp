@@ -201,7 +201,9 @@ bool mend_hole(TriangleComplex& complex, const BorderingCells& bordering, const 
       break;
     }
   for (const std::uint32_t v : loop) {
-    const std::vector<std::uint32_t> around = complex.faces_at(v);  // a copy: the faces are about to go
+    std::vector<std::uint32_t> around;  // a copy: the faces are about to go
+    for (const std::uint32_t f : complex.faces_at(v)) around.push_back(f);
+    std::sort(around.begin(), around.end());
     if (refill_without(complex, bordering, loop, around, wider)) return true;
   }
   return false;

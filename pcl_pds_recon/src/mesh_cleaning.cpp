@@ -7,7 +7,6 @@ namespace pds
 namespace
 {
 
-constexpr double sharpest_fold = 0.646;    // radians (37 degrees): faces that enclose less are folded back
 constexpr std::size_t speck_faces = 20;    // a component smaller than this ...
 constexpr std::size_t speck_share = 100;   // ... and than this share of the largest one is no surface
 constexpr std::size_t scatter_share = 20;  // components below this share of the largest one may be scatter
@@ -51,11 +50,7 @@ void remove_specks(TriangleComplex& complex, const SeedGeometry& seeds)
 
 void clean_mesh(TriangleComplex& complex, const SeedGeometry& seeds)
 {
-  std::size_t removed = 0;
-  do {
-    removed = complex.remove_folds(sharpest_fold);
-    removed += complex.remove_pinches();
-  } while (removed > 0);
+  complex.remove_pinches();
   remove_specks(complex, seeds);
   complex.rebuild_orientation();
 }

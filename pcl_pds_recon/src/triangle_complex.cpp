@@ -9,19 +9,20 @@ namespace pds
 
 using Eigen::Vector3d;
 
-TriangleComplex::TriangleComplex(const std::vector<Vector3d>& position)
-    : position_(position), faces_at_(position.size())
+TriangleComplex::TriangleComplex(const std::vector<Vector3d>& position, const Parallel& parallel)
+    : position_(position), parallel_(parallel), first_at_(position.size(), no_face)
 {
 }
 
-std::array<TriangleComplex::Edge, 3> TriangleComplex::edges_of(const Triangle& t)
+std::size_t TriangleComplex::side_of(std::uint32_t face, std::uint32_t a, std::uint32_t b) const
 {
-  return {Edge{t[0], t[1], t[2]}, Edge{t[1], t[2], t[0]}, Edge{t[2], t[0], t[1]}};
+  const std::size_t at_a = corner_of(face, a);
+  return face_[face].corner[(at_a + 1) % 3] == b ? at_a : (at_a + 2) % 3;
 }
 
-bool TriangleComplex::runs_along(const Triangle& t, std::uint32_t a, std::uint32_t b)
+bool TriangleComplex::runs_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const
 {
-  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+  return face_[face].corner[(corner_of(face, a) + 1) % 3] == b;
 }
 
 double TriangleComplex::fold_cosine(const Vector3d& a, const Vector3d& b, const Vector3d& p, const Vector3d& q)
@@ -44,79 +45,88 @@ bool TriangleComplex::flat(const Triangle& t) const
   return !(ab.cross(ac).norm() > smallest_height * longest2);
 }
 
-std::uint32_t TriangleComplex::find_face(std::uint32_t a, std::uint32_t b, std::uint32_t except) const
+std::uint32_t TriangleComplex::find_face(std::uint32_t a, std::uint32_t b) const
 {
-  for (const std::uint32_t f : faces_at_[a])
-    if (f != except && (face_[f][0] == b || face_[f][1] == b || face_[f][2] == b)) return f;
+  for (std::uint32_t f = first_at_[a]; f != no_face;) {
+    const std::size_t corner = corner_of(f, a);
+    const Face& face = face_[f];
+    if (face.corner[(corner + 1) % 3] == b || face.corner[(corner + 2) % 3] == b) return f;
+    f = face.next_at[corner];
+  }
   return no_face;
 }
 
-std::uint32_t TriangleComplex::other_face(std::uint32_t face, std::uint32_t a, std::uint32_t b) const
-{
-  return find_face(a, b, face);
-}
-
-bool TriangleComplex::has_edge(std::uint32_t a, std::uint32_t b) const { return find_face(a, b, no_face) != no_face; }
-
 int TriangleComplex::face_count(std::uint32_t a, std::uint32_t b) const
 {
-  const std::uint32_t first = find_face(a, b, no_face);
+  const std::uint32_t first = find_face(a, b);
   if (first == no_face) return 0;
-  return find_face(a, b, first) == no_face ? 1 : 2;
+  return other_face(first, a, b) == no_face ? 1 : 2;
 }
 
-/** The new face adds the edge (x, y) to the link of the vertex. */
-bool TriangleComplex::link_stays_simple(std::uint32_t vertex, std::uint32_t x, std::uint32_t y) const
+std::size_t TriangleComplex::count_faces_at(std::uint32_t vertex) const
 {
-  const std::vector<std::uint32_t>& around = faces_at_[vertex];
-  if (around.empty()) return true;
-  // Walk the path that starts at x; it ends at y only if the new edge closes a cycle, which must then hold all faces.
-  std::uint32_t at = x;
-  std::uint32_t face = find_face(vertex, x, no_face);
-  if (face == no_face && find_face(vertex, y, no_face) == no_face) {
-    // A fan of its own: fine, unless the vertex is closed already.
-    const Triangle& t = face_[around.front()];
-    const std::uint32_t first = t[0] == vertex ? t[1] : t[0];
-    std::size_t steps = 0;
-    std::uint32_t f = around.front();
-    for (at = first; f != no_face && steps <= around.size(); ++steps) {
-      const Triangle& corner = face_[f];
-      at = corner[0] + corner[1] + corner[2] - vertex - at;
-      if (at == first) return false;
-      f = other_face(f, vertex, at);
-    }
-    return true;
-  }
-  std::size_t steps = 0;
-  while (face != no_face) {
-    const Triangle& t = face_[face];
-    at = t[0] + t[1] + t[2] - vertex - at;
+  std::size_t count = 0;
+  for (const std::uint32_t f : faces_at(vertex)) count += f != no_face ? 1 : 0;
+  return count;
+}
+
+/** If one component of the link is a cycle, it is the whole link, so that one component decides. */
+bool TriangleComplex::is_closed_fan(std::uint32_t vertex) const
+{
+  const std::uint32_t first = first_at_[vertex];
+  if (first == no_face) return false;
+  std::uint32_t face = first;
+  std::uint32_t at = face_[first].corner[(corner_of(first, vertex) + 1) % 3];
+  do {
+    at = apex_of(face, vertex, at);
     face = other_face(face, vertex, at);
-    ++steps;
-  }
-  return at != y || steps == around.size();
+  } while (face != no_face && face != first);
+  return face == first;
 }
 
-TriangleComplex::Root TriangleComplex::root_of(std::uint32_t face) const
+/** The new face adds an edge to the link of this corner. */
+bool TriangleComplex::link_stays_simple(const Triangle& t, std::size_t corner, const ThreeFaces& across) const
 {
-  bool flipped = false;
-  while (parent_[face] != face) {
-    flipped ^= flip_[face] != 0;
-    face = parent_[face];
+  const std::uint32_t vertex = t[corner];
+  const std::uint32_t after = across[corner];             // at the side to the next corner
+  const std::uint32_t before = across[(corner + 2) % 3];  // at the side from the one before
+  if (after == no_face && before == no_face) return !is_closed_fan(vertex);
+  if (after == no_face || before == no_face) return true;  // a path gets longer
+  // Walk from one side: if that leads to the other, a cycle closes, which must then hold all faces.
+  std::uint32_t at = t[(corner + 1) % 3];
+  std::size_t steps = 0;
+  for (std::uint32_t face = after; face != no_face; ++steps) {
+    at = apex_of(face, vertex, at);
+    face = other_face(face, vertex, at);
   }
-  return {face, flipped};
+  return at != t[(corner + 2) % 3] || steps == count_faces_at(vertex);
+}
+
+bool TriangleComplex::folds(const Triangle& t, const ThreeFaces& across, double smallest_angle) const
+{
+  const double largest_cosine = std::cos(smallest_angle);
+  for (std::size_t e = 0; e < 3; ++e) {
+    if (across[e] == no_face) continue;
+    const std::uint32_t from = t[e];
+    const std::uint32_t to = t[(e + 1) % 3];
+    const std::uint32_t apex = t[(e + 2) % 3];
+    const std::uint32_t other = apex_of(across[e], from, to);
+    if (other == apex ||
+        fold_cosine(position_[from], position_[to], position_[apex], position_[other]) > largest_cosine)
+      return true;
+  }
+  return false;
 }
 
 /** Two faces agree if they run along their common edge in opposite directions. */
-bool TriangleComplex::orientable_with(const Triangle& t, const std::array<std::uint32_t, 3>& across) const
+bool TriangleComplex::orientable_with(const Triangle& t, const ThreeFaces& across) const
 {
-  std::array<Root, 3> root{};
-  const auto edges = edges_of(t);
+  std::array<OrientationForest::Root, 3> root{};
   for (std::size_t e = 0; e < 3; ++e) {
     if (across[e] == no_face) continue;
-    root[e] = root_of(across[e]);
+    root[e] = orientation_.root_of(across[e]);
     // The orientation of the root that makes t, as given, fit this neighbour.
-    root[e].flipped ^= runs_along(face_[across[e]], edges[e].from, edges[e].to);
+    root[e].flipped ^= runs_along(across[e], t[e], t[(e + 1) % 3]);
     for (std::size_t d = 0; d < e; ++d)
       if (across[d] != no_face && root[d].face == root[e].face && root[d].flipped != root[e].flipped) return false;
   }
@@ -126,209 +136,73 @@ bool TriangleComplex::orientable_with(const Triangle& t, const std::array<std::u
 TriangleComplex::Verdict TriangleComplex::judge(const Triangle& t, double smallest_angle) const
 {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || flat(t)) return Verdict::degenerate;
-  const double largest_cosine = std::cos(smallest_angle);
-  std::array<std::uint32_t, 3> across{};
-  const auto edges = edges_of(t);
-  for (std::size_t e = 0; e < 3; ++e) {
-    across[e] = find_face(edges[e].from, edges[e].to, no_face);
-    if (across[e] != no_face && other_face(across[e], edges[e].from, edges[e].to) != no_face) return Verdict::edge_full;
-  }
-  for (const Edge& e : edges)
-    if (!link_stays_simple(e.apex, e.from, e.to)) return Verdict::link_broken;
-  for (std::size_t e = 0; e < 3; ++e) {
-    if (across[e] == no_face) continue;
-    const Triangle& other = face_[across[e]];
-    const std::uint32_t apex = other[0] + other[1] + other[2] - edges[e].from - edges[e].to;
-    if (apex == edges[e].apex || fold_cosine(position_[edges[e].from], position_[edges[e].to], position_[edges[e].apex],
-                                             position_[apex]) > largest_cosine)
-      return Verdict::folded;
-  }
+  return judge_beside(t, {find_face(t[0], t[1]), find_face(t[1], t[2]), find_face(t[2], t[0])}, smallest_angle);
+}
+
+TriangleComplex::Verdict TriangleComplex::judge_beside(const Triangle& t,
+                                                       const ThreeFaces& across,
+                                                       double smallest_angle) const
+{
+  for (std::size_t e = 0; e < 3; ++e)
+    if (across[e] != no_face && other_face(across[e], t[e], t[(e + 1) % 3]) != no_face) return Verdict::edge_full;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    if (!link_stays_simple(t, corner, across)) return Verdict::link_broken;
+  if (folds(t, across, smallest_angle)) return Verdict::folded;
   return orientable_with(t, across) ? Verdict::legal : Verdict::one_sided;
 }
 
-/** Union by size: the way to a root is never longer than the logarithm of the number of faces. */
-void TriangleComplex::join(std::uint32_t face)
+TriangleComplex::Verdict TriangleComplex::add(const Triangle& t, double smallest_angle)
 {
-  const Triangle& t = face_[face];
-  parent_[face] = face;
-  flip_[face] = 0;
-  size_[face] = 1;
-  for (const Edge& e : edges_of(t)) {
-    const std::uint32_t other = other_face(face, e.from, e.to);
-    if (other == no_face || other > face) continue;
-    Root mine = root_of(face);
-    Root theirs = root_of(other);
-    if (mine.face == theirs.face) continue;
-    const bool opposed = runs_along(face_[other], e.from, e.to);
-    if (size_[mine.face] > size_[theirs.face]) std::swap(mine, theirs);
-    undo_.push_back({mine.face, size_[theirs.face]});
-    parent_[mine.face] = theirs.face;
-    flip_[mine.face] = static_cast<std::uint8_t>(mine.flipped ^ theirs.flipped ^ opposed);
-    size_[theirs.face] += size_[mine.face];
-  }
-}
-
-TriangleComplex::Verdict TriangleComplex::add(const Triangle& triangle, double smallest_angle)
-{
-  const Verdict verdict = judge(triangle, smallest_angle);
+  const Verdict verdict = judge(t, smallest_angle);
   if (verdict != Verdict::legal) return verdict;
-  const auto face = static_cast<std::uint32_t>(face_.size());
-  face_.push_back(triangle);
-  present_.push_back(1);
-  parent_.push_back(face);
-  flip_.push_back(0);
-  size_.push_back(1);
-  for (const std::uint32_t v : triangle) faces_at_[v].push_back(face);
-  join(face);
+  const auto number = static_cast<std::uint32_t>(face_.size());
+  face_.push_back({t});
+  orientation_.push_back();
+  Face& face = face_.back();
+  for (std::size_t e = 0; e < 3; ++e) {
+    const std::uint32_t from = t[e];
+    const std::uint32_t to = t[(e + 1) % 3];
+    const std::uint32_t other = find_face(from, to);
+    if (other == no_face) continue;
+    face.across[e] = other;
+    face_[other].across[side_of(other, from, to)] = number;
+    orientation_.join(number, other, runs_along(other, from, to));
+  }
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    face.next_at[corner] = first_at_[t[corner]];
+    first_at_[t[corner]] = number;
+  }
   return verdict;
 }
 
 void TriangleComplex::remove(std::uint32_t face)
 {
-  present_[face] = 0;
-  for (const std::uint32_t v : face_[face]) {
-    std::vector<std::uint32_t>& around = faces_at_[v];
-    around.erase(std::find(around.begin(), around.end(), face));
+  Face& gone = face_[face];
+  gone.present = false;
+  removed_since_rebuild_ = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t vertex = gone.corner[i];
+    const std::uint32_t other = gone.across[i];
+    if (other != no_face) face_[other].across[side_of(other, vertex, gone.corner[(i + 1) % 3])] = no_face;
+    std::uint32_t* place = &first_at_[vertex];
+    while (*place != face) place = &face_[*place].next_at[corner_of(*place, vertex)];
+    *place = gone.next_at[i];
   }
 }
 
 void TriangleComplex::begin_trial()
 {
   trial_begin_ = face_.size();
-  undo_.clear();
+  orientation_.begin_trial();
 }
 
 void TriangleComplex::undo_trial()
 {
-  for (auto link = undo_.rbegin(); link != undo_.rend(); ++link) {
-    size_[parent_[link->face]] = link->parent_size;
-    parent_[link->face] = link->face;
-    flip_[link->face] = 0;
-  }
-  undo_.clear();
-  for (std::size_t f = trial_begin_; f < face_.size(); ++f) remove(static_cast<std::uint32_t>(f));
+  const bool removed_before = removed_since_rebuild_;
+  for (std::size_t f = face_.size(); f-- > trial_begin_;) remove(static_cast<std::uint32_t>(f));
   face_.resize(trial_begin_);
-  present_.resize(trial_begin_);
-  parent_.resize(trial_begin_);
-  flip_.resize(trial_begin_);
-  size_.resize(trial_begin_);
-}
-
-void TriangleComplex::rebuild_orientation()
-{
-  for (std::uint32_t f = 0; f < face_.size(); ++f) {
-    parent_[f] = f;
-    flip_[f] = 0;
-    size_[f] = 1;
-  }
-  for (std::uint32_t f = 0; f < face_.size(); ++f)
-    if (present_[f] != 0) join(f);
-  undo_.clear();
-}
-
-std::vector<std::uint32_t> TriangleComplex::faces() const
-{
-  std::vector<std::uint32_t> present;
-  for (std::uint32_t f = 0; f < face_.size(); ++f)
-    if (present_[f] != 0) present.push_back(f);
-  return present;
-}
-
-Triangle TriangleComplex::oriented(std::uint32_t face) const
-{
-  Triangle t = face_[face];
-  if (root_of(face).flipped) std::swap(t[1], t[2]);
-  return t;
-}
-
-std::vector<std::vector<std::uint32_t>> TriangleComplex::fans(std::uint32_t vertex) const
-{
-  std::vector<std::vector<std::uint32_t>> result;
-  std::vector<std::uint32_t> left = faces_at_[vertex];
-  std::sort(left.begin(), left.end());
-  while (!left.empty()) {
-    std::vector<std::uint32_t> fan{left.front()};
-    left.erase(left.begin());
-    for (std::size_t i = 0; i < fan.size(); ++i)
-      for (const std::uint32_t end : face_[fan[i]]) {
-        if (end == vertex) continue;
-        const std::uint32_t next = other_face(fan[i], vertex, end);
-        const auto place = std::find(left.begin(), left.end(), next);
-        if (next == no_face || place == left.end()) continue;
-        fan.push_back(next);
-        left.erase(place);
-      }
-    result.push_back(std::move(fan));
-  }
-  return result;
-}
-
-std::size_t TriangleComplex::remove_pinches()
-{
-  std::size_t removed = 0;
-  std::vector<std::uint32_t> pending(position_.size());
-  for (std::uint32_t v = 0; v < pending.size(); ++v) pending[v] = v;
-  while (!pending.empty()) {
-    std::vector<std::uint32_t> touched;
-    for (const std::uint32_t v : pending) {
-      const auto all = fans(v);
-      if (all.size() < 2) continue;
-      const auto largest =
-          std::max_element(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.size() < y.size(); });
-      for (auto fan = all.begin(); fan != all.end(); ++fan) {
-        if (fan == largest) continue;
-        for (const std::uint32_t f : *fan) {
-          touched.insert(touched.end(), face_[f].begin(), face_[f].end());
-          remove(f);
-          ++removed;
-        }
-      }
-    }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    pending.swap(touched);
-  }
-  return removed;
-}
-
-std::size_t TriangleComplex::remove_folds(double smallest_angle)
-{
-  const double largest_cosine = std::cos(smallest_angle);
-  std::size_t removed = 0;
-  for (const std::uint32_t f : faces())
-    for (const Edge& e : edges_of(face_[f])) {
-      if (present_[f] == 0) break;
-      const std::uint32_t other = other_face(f, e.from, e.to);
-      if (other == no_face) continue;
-      const std::uint32_t apex = face_[other][0] + face_[other][1] + face_[other][2] - e.from - e.to;
-      if (fold_cosine(position_[e.from], position_[e.to], position_[e.apex], position_[apex]) <= largest_cosine)
-        continue;
-      remove(f);
-      remove(other);
-      removed += 2;
-    }
-  return removed;
-}
-
-std::vector<std::vector<std::uint32_t>> TriangleComplex::components() const
-{
-  std::vector<std::vector<std::uint32_t>> result;
-  std::vector<std::uint8_t> seen(face_.size());
-  for (const std::uint32_t start : faces()) {
-    if (seen[start] != 0) continue;
-    std::vector<std::uint32_t> component{start};
-    seen[start] = 1;
-    for (std::size_t i = 0; i < component.size(); ++i)
-      for (const Edge& e : edges_of(face_[component[i]])) {
-        const std::uint32_t other = other_face(component[i], e.from, e.to);
-        if (other == no_face || seen[other] != 0) continue;
-        seen[other] = 1;
-        component.push_back(other);
-      }
-    std::sort(component.begin(), component.end());
-    result.push_back(std::move(component));
-  }
-  return result;
+  orientation_.undo(trial_begin_);
+  removed_since_rebuild_ = removed_before;
 }
 
 }  // namespace pds

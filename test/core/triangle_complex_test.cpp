@@ -180,17 +180,6 @@ TEST(TriangleComplex, RefusesAFaceThatFoldsBack)
   }
 }
 
-TEST(TriangleComplex, RemovesFolds)
-{
-  Points position = hinge(20 * degree);
-  TriangleComplex complex(position);
-  complex.add({0, 1, 2}, any_angle);
-  complex.add({1, 0, 3}, any_angle);
-  EXPECT_EQ(complex.remove_folds(10 * degree), 0U);
-  EXPECT_EQ(complex.remove_folds(30 * degree), 2U);
-  EXPECT_TRUE(complex.faces().empty());
-}
-
 TEST(TriangleComplex, NamesFacesAcrossEdgesAndComponents)
 {
   const Points position = two_tetrahedra();

@@ -7,7 +7,7 @@
 namespace pds
 {
 
-/** \brief Removes what cannot stay: folds, all but the largest fan at pinched vertices, and small components that are
+/** \brief Removes what cannot stay: all but the largest fan at pinched vertices, and small components that are
  * no surface (specks of a few faces, scatter left by points that fill a volume). Afterwards every vertex has one fan.
  */
 void clean_mesh(TriangleComplex& complex, const SeedGeometry& seeds);

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include <pcl_pds_recon/orientation_forest.h>
+#include <pcl_pds_recon/parallel.h>
+
 namespace pds
 {
 
@@ -24,6 +27,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 class TriangleComplex
 {
  public:
+  static constexpr std::uint32_t no_face = 0xffffffffU;
+
   /** \brief Why a triangle was refused. */
   enum class Verdict
   {
@@ -35,8 +40,43 @@ class TriangleComplex
     folded        ///< it would fold back on a neighbour
   };
 
-  /** \param position of the vertices; must outlive this object */
-  explicit TriangleComplex(const std::vector<Eigen::Vector3d>& position);
+  /** \brief The faces at a vertex, in no order that means anything. Ends with the next change of the complex. */
+  class FacesAt
+  {
+   public:
+    class Iterator
+    {
+     public:
+      Iterator(const TriangleComplex& complex, std::uint32_t vertex, std::uint32_t face)
+          : complex_(complex), vertex_(vertex), face_(face)
+      {
+      }
+      std::uint32_t operator*() const { return face_; }
+      Iterator& operator++()
+      {
+        face_ = complex_.face_[face_].next_at[complex_.corner_of(face_, vertex_)];
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return face_ != other.face_; }
+
+     private:
+      const TriangleComplex& complex_;
+      std::uint32_t vertex_, face_;
+    };
+
+    FacesAt(const TriangleComplex& complex, std::uint32_t vertex) : complex_(complex), vertex_(vertex) {}
+    [[nodiscard]] Iterator begin() const { return {complex_, vertex_, complex_.first_at_[vertex_]}; }
+    [[nodiscard]] Iterator end() const { return {complex_, vertex_, no_face}; }
+    [[nodiscard]] bool empty() const { return complex_.first_at_[vertex_] == no_face; }
+
+   private:
+    const TriangleComplex& complex_;
+    std::uint32_t vertex_;
+  };
+
+  /** \param position of the vertices; must outlive this object
+   * \param parallel for what is done to all vertices or faces at once */
+  explicit TriangleComplex(const std::vector<Eigen::Vector3d>& position, const Parallel& parallel = Parallel(1));
 
   /** \brief Adds the triangle if that is legal.
    * \param smallest_angle the least angle that two faces may enclose at an edge, radians (pi = flat)
@@ -56,31 +96,29 @@ class TriangleComplex
    * \return the number of faces removed */
   std::size_t remove_pinches();
 
-  /** \brief Removes both faces at every edge where they enclose less than \a smallest_angle. */
-  std::size_t remove_folds(double smallest_angle);
-
   /** \brief Forgets the orientation constraints of faces that were removed since. */
   void rebuild_orientation();
 
-  [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const { return find_face(a, b) != no_face; }
   [[nodiscard]] int face_count(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] const std::vector<Eigen::Vector3d>& position() const { return position_; }
 
   /** \brief Numbers of the faces that are present, ascending. */
   [[nodiscard]] std::vector<std::uint32_t> faces() const;
-  [[nodiscard]] const std::vector<std::uint32_t>& faces_at(std::uint32_t vertex) const { return faces_at_[vertex]; }
+  [[nodiscard]] FacesAt faces_at(std::uint32_t vertex) const { return {*this, vertex}; }
   [[nodiscard]] std::size_t vertex_count() const { return position_.size(); }
 
   /** \brief The face's corners, oriented consistently with all faces it is joined to. */
   [[nodiscard]] Triangle oriented(std::uint32_t face) const;
 
   /** \brief The face next to \a face across the edge (a, b), or no_face. */
-  [[nodiscard]] std::uint32_t other_face(std::uint32_t face, std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] std::uint32_t other_face(std::uint32_t face, std::uint32_t a, std::uint32_t b) const
+  {
+    return face_[face].across[side_of(face, a, b)];
+  }
 
   /** \brief Faces grouped by the edges that join them, each group ascending, groups by their lowest face. */
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> components() const;
-
-  static constexpr std::uint32_t no_face = 0xffffffffU;
 
   /** \brief Cosine of the angle that triangles (a, b, p) and (a, b, q) enclose: -1 = flat, 1 = back to back. */
   static double fold_cosine(const Eigen::Vector3d& a,
@@ -89,40 +127,54 @@ class TriangleComplex
                             const Eigen::Vector3d& q);
 
  private:
-  struct Edge
+  using ThreeFaces = std::array<std::uint32_t, 3>;
+
+  /** \brief A triangle and what it touches; the faces at a vertex form a linked list. */
+  struct Face
   {
-    std::uint32_t from, to, apex;
-  };
-  struct Link
-  {
-    std::uint32_t face;         ///< the root that got a parent
-    std::uint32_t parent_size;  ///< faces under the new parent before
-  };
-  struct Root
-  {
-    std::uint32_t face;
-    bool flipped;
+    Triangle corner;
+    ThreeFaces across{no_face, no_face, no_face};   ///< beyond the side from corner i to the next
+    ThreeFaces next_at{no_face, no_face, no_face};  ///< the face after this one in the list at corner i
+    bool present = true;
   };
 
-  static std::array<Edge, 3> edges_of(const Triangle& t);
-  static bool runs_along(const Triangle& t, std::uint32_t a, std::uint32_t b);
+  [[nodiscard]] std::size_t corner_of(std::uint32_t face, std::uint32_t vertex) const
+  {
+    const Triangle& t = face_[face].corner;
+    return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+  }
+  /** \brief The side between two corners of a face. */
+  [[nodiscard]] std::size_t side_of(std::uint32_t face, std::uint32_t a, std::uint32_t b) const;
+  /** \brief The corner of the face that is neither a nor b. */
+  [[nodiscard]] std::uint32_t apex_of(std::uint32_t face, std::uint32_t a, std::uint32_t b) const
+  {
+    const Triangle& t = face_[face].corner;
+    return t[0] + t[1] + t[2] - a - b;
+  }
+  [[nodiscard]] bool runs_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool flat(const Triangle& t) const;
-  [[nodiscard]] std::uint32_t find_face(std::uint32_t a, std::uint32_t b, std::uint32_t except) const;
-  [[nodiscard]] bool link_stays_simple(std::uint32_t vertex, std::uint32_t x, std::uint32_t y) const;
-  [[nodiscard]] bool orientable_with(const Triangle& t, const std::array<std::uint32_t, 3>& across) const;
-  [[nodiscard]] Root root_of(std::uint32_t face) const;
-  void join(std::uint32_t face);
+  [[nodiscard]] std::uint32_t find_face(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] Verdict judge_beside(const Triangle& t, const ThreeFaces& across, double smallest_angle) const;
+  [[nodiscard]] bool link_stays_simple(const Triangle& t, std::size_t corner, const ThreeFaces& across) const;
+  [[nodiscard]] bool folds(const Triangle& t, const ThreeFaces& across, double smallest_angle) const;
+  [[nodiscard]] bool orientable_with(const Triangle& t, const ThreeFaces& across) const;
+  [[nodiscard]] std::size_t count_faces_at(std::uint32_t vertex) const;
+  [[nodiscard]] bool is_closed_fan(std::uint32_t vertex) const;
+  [[nodiscard]] bool is_pinched(std::uint32_t vertex) const;
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> fans(std::uint32_t vertex) const;
+  std::size_t keep_largest_fan(std::uint32_t vertex, std::vector<std::uint32_t>& touched);
+  template <typename Visit>
+  void walk_component(std::uint32_t start, std::vector<std::uint8_t>& seen, const Visit& visit) const;
+
+  static constexpr std::size_t block = 4096;  // vertices or faces per block
 
   const std::vector<Eigen::Vector3d>& position_;
-  std::vector<Triangle> face_;
-  std::vector<std::uint8_t> present_;
-  std::vector<std::vector<std::uint32_t>> faces_at_;
-  std::vector<std::uint32_t> parent_;  ///< union-find over faces
-  std::vector<std::uint8_t> flip_;     ///< orientation relative to the parent
-  std::vector<std::uint32_t> size_;    ///< faces under a root
-  std::size_t trial_begin_ = 0;        ///< faces before the trial
-  std::vector<Link> undo_;             ///< unions made in the trial
+  Parallel parallel_;
+  std::vector<Face> face_;
+  std::vector<std::uint32_t> first_at_;  ///< by vertex: the first face of its list
+  OrientationForest orientation_;
+  bool removed_since_rebuild_ = false;
+  std::size_t trial_begin_ = 0;  ///< faces before the trial
 };
 
 }  // namespace pds
