@@ -26,7 +26,7 @@ bool is_absent(const std::string& file) { return !std::filesystem::exists(path_o
 /** \brief A scan as its file gives it, with normals and sensor if there are any. */
 struct Scan
 {
-  explicit Scan(const std::string& file) : table(pds::read_points(path_of(file)))
+  explicit Scan(const std::string& file) : table(pds::read_points(path_of(file), pds::Parallel()))
   {
     const pds::PointCloudView view = table.view();
     for (std::size_t i = 0; i < view.size; ++i) points.push_back(view.positions[i]);
