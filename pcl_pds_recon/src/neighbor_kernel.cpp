@@ -2,7 +2,7 @@
 #include "neighbor_kernel.h"
 
 #include <algorithm>
-#include <utility>
+#include <numeric>
 #include "neighbor_lanes.h"
 
 namespace pds
@@ -60,18 +60,17 @@ std::vector<const NeighborKernel*> neighbor_kernels()
 
 void sort_with_ties(const SelectionColumns& candidates, std::size_t count, std::uint32_t self)
 {
-  std::uint32_t* const order = candidates.rank;
-  for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-  // Candidates ascend by index, so their places tell which one comes first; the query comes before all.
-  std::sort(order, order + count, [&](std::uint32_t a, std::uint32_t b) {
-    if (candidates.distance[a] != candidates.distance[b]) return candidates.distance[a] < candidates.distance[b];
-    if ((candidates.index[a] == self) != (candidates.index[b] == self)) return candidates.index[a] == self;
-    return a < b;
-  });
-  for (std::size_t j = 0; j < count; ++j) {
-    candidates.sorted_distance[j] = candidates.distance[order[j]];
-    candidates.sorted_index[j] = candidates.index[order[j]];
+  // Candidates of one rank, which ascend by index, take the places from this rank on.
+  std::uint32_t* const next_place = candidates.next_place;
+  std::iota(next_place, next_place + count, 0U);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t place = next_place[candidates.rank[i]]++;
+    candidates.sorted_distance[place] = candidates.distance[i];
+    candidates.sorted_index[place] = candidates.index[i];
   }
+  // Points of smaller index that coincide with the query came before it.
+  std::uint32_t* const own = std::find(candidates.sorted_index, candidates.sorted_index + count, self);
+  std::rotate(candidates.sorted_index, own, own + 1);
 }
 
 CandidateBuffer::CandidateBuffer(std::size_t capacity) : coordinates_(3 * padded(capacity)), index_(padded(capacity))
@@ -81,10 +80,14 @@ CandidateBuffer::CandidateBuffer(std::size_t capacity) : coordinates_(3 * padded
 }
 
 SelectionBuffer::SelectionBuffer(std::size_t capacity)
-    : distances_(2 * padded(capacity)), integers_(3 * padded(capacity))
+    : distances_(2 * padded(capacity)), integers_(4 * padded(capacity))
 {
-  columns = {distances_.data(), integers_.data(), integers_.data() + padded(capacity),
-             distances_.data() + padded(capacity), integers_.data() + 2 * padded(capacity)};
+  columns = {distances_.data(),
+             integers_.data(),
+             integers_.data() + padded(capacity),
+             distances_.data() + padded(capacity),
+             integers_.data() + 2 * padded(capacity),
+             integers_.data() + 3 * padded(capacity)};
 }
 
 }  // namespace pds

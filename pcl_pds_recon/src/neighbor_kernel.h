@@ -50,9 +50,10 @@ struct SelectionColumns
 {
   float* distance;
   std::uint32_t* index;
-  std::uint32_t* rank;
+  std::uint32_t* rank;  ///< number of smaller distances
   float* sorted_distance;
   std::uint32_t* sorted_index;
+  std::uint32_t* next_place;  ///< of the next candidate of a rank, while ties are broken
 };
 
 /** \brief Floats in a register of the widest instruction set; columns have room for two behind their last entry. */
@@ -111,7 +112,7 @@ struct NeighborKernel
                                                            const NeighborKernel& kernel,
                                                            const Parallel& parallel);
 
-/** \brief Fills the sorted columns with the first \a count candidates by distance and index, the query itself first. */
+/** \brief Fills the sorted columns from the ranked candidates, the query first and equal distances by index. */
 void sort_with_ties(const SelectionColumns& candidates, std::size_t count, std::uint32_t self);
 
 extern const NeighborKernel baseline_kernel;
