@@ -29,7 +29,7 @@ struct Stages
     weights = curvature_weights(surface, graph, options.adaptive, {options.radius_factor, true}, all_cores);
     ranks = feature_ranks(surface, graph, all_cores);
     const double radius = options.radius_factor * mean_weighted_interval(points, graph, weights);
-    sampling = sample_poisson_disks(points, graph, weights, ranks, radius, solver, 0, all_cores);
+    sampling = sample_poisson_disks(points, graph, surface, weights, ranks, radius, solver, 0, all_cores);
     voronoi = build_geodesic_voronoi(points, graph, weights, sampling, options.voronoi_threshold, all_cores);
     seeds = describe_seeds(cloud, points, surface, sampling, voronoi, all_cores);
     seed_graph = build_seed_graph(seeds, voronoi.pairs);
@@ -105,7 +105,7 @@ void add_stages()
   add("estimate_surface", true,
       [](const Stages& s, const Parallel& p) { return estimate_surface(s.points, s.graph, p); });
   add("sample_poisson_disks", true, [](const Stages& s, const Parallel& p) {
-    return sample_poisson_disks(s.points, s.graph, s.weights, s.ranks, s.sampling.radius, solver, 0, p);
+    return sample_poisson_disks(s.points, s.graph, s.surface, s.weights, s.ranks, s.sampling.radius, solver, 0, p);
   });
   add("build_geodesic_voronoi", true, [](const Stages& s, const Parallel& p) {
     return build_geodesic_voronoi(s.points, s.graph, s.weights, s.sampling, s.options.voronoi_threshold, p);

@@ -14,17 +14,25 @@ namespace
 
 constexpr std::size_t color_count = 8;  // 2 x 2 x 2: cells of one colour are a whole cell apart
 
-/** \brief A point's turn: by colour, then cell, then descending feature rank, then drawn lot. */
+/** \brief Consecutive points that lie in the same block. */
+struct BlockRun
+{
+  std::uint64_t block;
+  RankRange points;
+
+  bool operator<(const BlockRun& other) const
+  {
+    return block != other.block ? block < other.block : points.begin < other.points.begin;
+  }
+};
+
+/** \brief A point's turn within its cell: by descending feature rank, then by drawn lot. */
 struct Dart
 {
-  std::uint64_t cell;  ///< colour in the top bits
-  std::uint64_t lot;   ///< complement of the feature rank in the top bits
+  std::uint64_t turn;
   std::uint32_t point;
 
-  bool operator<(const Dart& other) const
-  {
-    return std::tie(cell, lot, point) < std::tie(other.cell, other.lot, other.point);
-  }
+  bool operator<(const Dart& other) const { return std::tie(turn, point) < std::tie(other.turn, other.point); }
 };
 
 /** \brief Finaliser of the SplitMix64 generator: every input bit changes about half of the output bits. */
@@ -47,97 +55,237 @@ std::uint64_t hash_position(const Eigen::Vector3f& p, std::uint64_t seed)
   return hash;
 }
 
-/** \brief Colour and number of the cell that holds \a p. Numbers repeat every 2^20 cells along an axis: cells that
- * share one are far apart, and it does no harm that they take their turn together. */
-std::uint64_t cell_of(const Eigen::Vector3f& p, double cell_side)
+/** \brief Space cut into cells of 2 x 2 x 2 blocks. A block is as wide as a disk reaches, so that the disks of a cell
+ * stay within the blocks next to it, and those of different cells of one colour have no block in common.
+ *
+ * A block's number has its cell's colour in the top bits, then the cell, then its place in the cell. Coordinates repeat
+ * every 2^20 blocks along an axis: it does no harm that cells far apart take their turn together.
+ */
+class BlockGrid
 {
-  constexpr int axis_bits = 20;
-  constexpr std::uint64_t axis_mask = (std::uint64_t{1} << axis_bits) - 1;
-  const double side = std::max(cell_side, std::ldexp(1.0, -60));  // the quotient must fit an integer
-  std::uint64_t cell = 0;
-  std::uint64_t color = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double coordinate = std::floor(static_cast<double>(p[axis]) / side);
-    const auto number = static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate)) & axis_mask;
-    cell = cell << axis_bits | number;
-    color = color << 1 | (number & 1);
+ public:
+  // The quotient of a coordinate, which is below 1, and the side must fit an integer.
+  explicit BlockGrid(double block_side) : blocks_per_unit_(1 / std::max(block_side, std::ldexp(1.0, -60))) {}
+
+  [[nodiscard]] std::uint64_t block_of(const Eigen::Vector3f& p) const
+  {
+    std::uint64_t cell = 0;
+    std::uint64_t place = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double coordinate = static_cast<double>(p[axis]) * blocks_per_unit_;
+      auto floor = static_cast<std::int64_t>(coordinate);
+      floor -= static_cast<double>(floor) > coordinate ? 1 : 0;
+      const auto block = static_cast<std::uint64_t>(floor);
+      cell = cell << axis_bits | (block >> 1 & axis_mask);
+      place = place << 1 | (block & 1);
+    }
+    return number_of(cell) << place_bits | place;
   }
-  return color << (3 * axis_bits) | cell;
-}
 
-std::vector<Dart> sorted_darts(const OrderedPoints& points,
-                               const std::vector<std::uint8_t>& feature_rank,
-                               double cell_side,
-                               std::uint64_t seed,
-                               const Parallel& parallel)
-{
-  constexpr std::size_t block = 16384;
-  constexpr int rank_bits = 4;
-  std::vector<Dart> darts(points.size());
-  parallel.each(points.size(), block, [&](std::size_t i) {
-    const std::uint64_t lot = hash_position(points.position[i], seed) >> rank_bits;
-    const std::uint64_t turn = std::uint64_t{15U - feature_rank[i]} << (64 - rank_bits);
-    darts[i] = {cell_of(points.position[i], cell_side), turn | lot, static_cast<std::uint32_t>(i)};
-  });
-  std::sort(darts.begin(), darts.end());
-  return darts;
-}
+  static std::uint64_t cell_of(std::uint64_t block) { return block >> place_bits; }
+  static std::size_t color_of(std::uint64_t cell) { return cell >> (3 * axis_bits); }
 
-/** \brief Begin of each cell's darts, and of each colour's cells. */
-struct Schedule
-{
-  std::vector<std::size_t> cell_begin;
-  std::array<std::size_t, color_count + 1> color_begin{};
+  /** \brief The number of the cell that lies dx, dy, dz cells away. */
+  static std::uint64_t next_to(std::uint64_t cell, const std::array<int, 3>& step)
+  {
+    std::uint64_t next = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      next = next << axis_bits | ((coordinate(cell, axis) + static_cast<std::uint64_t>(step[axis])) & axis_mask);
+    return number_of(next);
+  }
+
+  /** \brief True if a block of the cell that lies a step away touches the cell it was made from. */
+  static bool touches(std::uint64_t block, const std::array<int, 3>& step)
+  {
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool upper = (block >> (2 - axis) & 1) != 0;
+      if ((step[axis] < 0 && !upper) || (step[axis] > 0 && upper)) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int place_bits = 3;
+  static constexpr int axis_bits = 19;
+  static constexpr std::uint64_t axis_mask = (std::uint64_t{1} << axis_bits) - 1;
+
+  static std::uint64_t coordinate(std::uint64_t cell, int axis) { return cell >> ((2 - axis) * axis_bits) & axis_mask; }
+
+  /** \brief The colour, from the parity of the coordinates, put in front of them. */
+  static std::uint64_t number_of(std::uint64_t coordinates)
+  {
+    std::uint64_t color = 0;
+    for (int axis = 0; axis < 3; ++axis) color = color << 1 | (coordinate(coordinates, axis) & 1);
+    return color << (3 * axis_bits) | coordinates;
+  }
+
+  double blocks_per_unit_;
 };
 
-Schedule schedule_cells(const std::vector<Dart>& darts)
+/** \brief The runs of every cell, and the cells of every colour. Points follow a Morton curve, so runs are long. */
+class Schedule
 {
-  constexpr int color_shift = 60;
-  Schedule schedule;
-  for (std::size_t i = 0; i < darts.size(); ++i)
-    if (i == 0 || darts[i].cell != darts[i - 1].cell) {
-      schedule.cell_begin.push_back(i);
-      for (std::size_t color = (darts[i].cell >> color_shift) + 1; color <= color_count; ++color)
-        schedule.color_begin[color] = schedule.cell_begin.size();
+ public:
+  Schedule(const OrderedPoints& points, const BlockGrid& grid, const Parallel& parallel)
+  {
+    collect_runs(points, grid, parallel);
+    std::sort(runs_.begin(), runs_.end());
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+      const std::uint64_t cell = BlockGrid::cell_of(runs_[r].block);
+      if (r > 0 && cell == cell_.back()) continue;
+      cell_.push_back(cell);
+      run_begin_.push_back(r);
+      for (std::size_t color = BlockGrid::color_of(cell) + 1; color <= color_count; ++color)
+        color_begin_[color] = cell_.size();
     }
-  schedule.cell_begin.push_back(darts.size());
-  return schedule;
-}
-
-/** \brief Throws one dart: a seed, unless its own disk shows that an earlier seed is within the radius after all. */
-void throw_dart(std::uint32_t point, float radius, GeodesicDisk& disk, std::vector<NearestSeeds>& nearest)
-{
-  if (nearest[point].covered(radius)) return;
-  const auto& reached = disk.grow(point, static_cast<float>(disk_reach) * radius);
-  for (const GeodesicDisk::Reached& r : reached) {
-    if (r.distance > radius) break;
-    if (nearest[r.point].seed[0] == r.point) {
-      nearest[point].insert(r.point, r.distance);
-      return;
-    }
+    run_begin_.push_back(runs_.size());
   }
-  for (const GeodesicDisk::Reached& r : reached) nearest[r.point].insert(point, r.distance);
+
+  /** \brief Numbers of the first and behind the last cell of a colour. */
+  [[nodiscard]] std::size_t first_cell(std::size_t color) const { return color_begin_[color]; }
+  [[nodiscard]] std::size_t last_cell(std::size_t color) const { return color_begin_[color + 1]; }
+  [[nodiscard]] const BlockRun* runs_begin(std::size_t cell) const { return runs_.data() + run_begin_[cell]; }
+  [[nodiscard]] const BlockRun* runs_end(std::size_t cell) const { return runs_.data() + run_begin_[cell + 1]; }
+
+  /** \brief Appends the points of a cell and of the blocks next to it. */
+  void append_surroundings(std::size_t number, std::vector<RankRange>& patch) const
+  {
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dz = -1; dz <= 1; ++dz) {
+          const std::array<int, 3> step{dx, dy, dz};
+          const std::size_t next = find(BlockGrid::next_to(cell_[number], step));
+          if (next == none) continue;
+          for (const BlockRun* run = runs_begin(next); run != runs_end(next); ++run)
+            if (BlockGrid::touches(run->block, step)) patch.push_back(run->points);
+        }
+  }
+
+ private:
+  static constexpr std::size_t none = ~std::size_t{0};
+
+  /** \brief The place of a cell in the list; none if it is empty. */
+  [[nodiscard]] std::size_t find(std::uint64_t wanted) const
+  {
+    const std::size_t color = BlockGrid::color_of(wanted);
+    const auto begin = cell_.begin() + static_cast<std::ptrdiff_t>(first_cell(color));
+    const auto end = cell_.begin() + static_cast<std::ptrdiff_t>(last_cell(color));
+    const auto place = std::lower_bound(begin, end, wanted);
+    return place != end && *place == wanted ? static_cast<std::size_t>(place - cell_.begin()) : none;
+  }
+
+  void collect_runs(const OrderedPoints& points, const BlockGrid& grid, const Parallel& parallel)
+  {
+    constexpr std::size_t points_per_task = 16384;
+    std::vector<std::vector<BlockRun>> runs_of_task((points.size() + points_per_task - 1) / points_per_task);
+    parallel.blocks(points.size(), points_per_task, [&](std::size_t begin, std::size_t end, unsigned) {
+      std::vector<BlockRun>& runs = runs_of_task[begin / points_per_task];
+      for (auto point = static_cast<std::uint32_t>(begin); point < end; ++point) {
+        const std::uint64_t block = grid.block_of(points.position[point]);
+        if (runs.empty() || runs.back().block != block) runs.push_back({block, {point, point}});
+        runs.back().points.end = point + 1;
+      }
+    });
+    for (const std::vector<BlockRun>& runs : runs_of_task) runs_.insert(runs_.end(), runs.begin(), runs.end());
+  }
+
+  std::vector<BlockRun> runs_;          ///< by block, then points
+  std::vector<std::uint64_t> cell_;     ///< numbers, ascending, so by colour
+  std::vector<std::size_t> run_begin_;  ///< begin of each cell's runs; size cells + 1
+  std::array<std::size_t, color_count + 1> color_begin_{};
+};
+
+/** \brief Throws the darts of one cell after the other. Holds the working memory of one thread. */
+class DartThrower
+{
+ public:
+  DartThrower(const OrderedPoints& points,
+              const std::vector<std::uint8_t>& feature_rank,
+              std::uint64_t seed,
+              const Schedule& schedule,
+              GeodesicDisk& disk,
+              PoissonDiskSampling& sampling)
+      : points_(points),
+        feature_rank_(feature_rank),
+        seed_(seed),
+        schedule_(schedule),
+        disk_(disk),
+        radius_(static_cast<float>(sampling.radius)),
+        nearest_(sampling.nearest)
+  {
+  }
+
+  void throw_darts(std::size_t cell)
+  {
+    darts_.clear();
+    for (const BlockRun* run = schedule_.runs_begin(cell); run != schedule_.runs_end(cell); ++run)
+      for (std::uint32_t point = run->points.begin; point < run->points.end; ++point)
+        if (!nearest_[point].covered(radius_)) darts_.push_back({turn_of(point), point});
+    if (darts_.empty()) return;
+    std::sort(darts_.begin(), darts_.end());
+    patch_.clear();
+    schedule_.append_surroundings(cell, patch_);
+    disk_.enter(patch_);
+    for (const Dart& dart : darts_)
+      if (!nearest_[dart.point].covered(radius_)) throw_dart(dart.point);
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t turn_of(std::uint32_t point) const
+  {
+    constexpr int rank_bits = 4;
+    const std::uint64_t lot = hash_position(points_.position[point], seed_) >> rank_bits;
+    return std::uint64_t{15U - feature_rank_[point]} << (64 - rank_bits) | lot;
+  }
+
+  /** \brief A dart becomes a seed, unless its own disk shows that an earlier seed is within the radius after all. */
+  void throw_dart(std::uint32_t point)
+  {
+    const auto& reached = disk_.grow(point, static_cast<float>(disk_reach) * radius_);
+    GeodesicDisk::Reached nearest_seed{NearestSeeds::none, radius_};
+    for (const GeodesicDisk::Reached& r : reached)
+      if (r.distance <= nearest_seed.distance && nearest_[r.point].seed[0] == r.point &&
+          (r.distance < nearest_seed.distance || r.point < nearest_seed.point))
+        nearest_seed = r;
+    if (nearest_seed.point == NearestSeeds::none)
+      for (const GeodesicDisk::Reached& r : reached) nearest_[r.point].insert(point, r.distance);
+    else
+      nearest_[point].insert_or_approach(nearest_seed.point, nearest_seed.distance);
+  }
+
+  const OrderedPoints& points_;
+  const std::vector<std::uint8_t>& feature_rank_;
+  std::uint64_t seed_;
+  const Schedule& schedule_;
+  GeodesicDisk& disk_;
+  float radius_;
+  std::vector<NearestSeeds>& nearest_;
+  std::vector<Dart> darts_;
+  std::vector<RankRange> patch_;
+};
+
+/** \brief Lists the seeds, and names them by their place in that list wherever they were named by their point. */
+void number_seeds(PoissonDiskSampling& sampling, const Parallel& parallel)
+{
+  const std::size_t n = sampling.nearest.size();
+  std::vector<std::uint32_t> seed_of_point(n, NearestSeeds::none);
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (sampling.nearest[i].seed[0] == i) {
+      seed_of_point[i] = static_cast<std::uint32_t>(sampling.seeds.size());
+      sampling.seeds.push_back(i);
+    }
+  constexpr std::size_t block = 16384;
+  parallel.each(n, block, [&](std::size_t i) {
+    for (std::uint32_t& s : sampling.nearest[i].seed)
+      if (s != NearestSeeds::none) s = seed_of_point[s];
+  });
 }
 
 }  // namespace
 
-void NearestSeeds::insert(std::uint32_t new_seed, float new_distance)
-{
-  if (new_distance >= distance[capacity - 1]) return;
-  // A seed stands here once: its entry moves forward, or the last one makes room.
-  std::size_t place = 0;
-  while (place + 1 < capacity && seed[place] != new_seed) ++place;
-  if (seed[place] == new_seed && distance[place] <= new_distance) return;
-  for (; place > 0 && distance[place - 1] > new_distance; --place) {
-    distance[place] = distance[place - 1];
-    seed[place] = seed[place - 1];
-  }
-  distance[place] = new_distance;
-  seed[place] = new_seed;
-}
-
 PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                          const NeighborGraph& graph,
+                                         const SurfaceEstimate& surface,
                                          const EdgeWeights& weights,
                                          const std::vector<std::uint8_t>& feature_rank,
                                          double radius,
@@ -148,34 +296,21 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
   PoissonDiskSampling sampling;
   sampling.radius = radius;
   sampling.nearest.resize(points.size());
-  constexpr double rounding_margin = 1.001;  // distances and cell borders are rounded to single precision
-  const std::vector<Dart> darts =
-      sorted_darts(points, feature_rank, 2 * disk_reach * radius * rounding_margin, seed, parallel);
-  const Schedule schedule = schedule_cells(darts);
+  constexpr double rounding_margin = 1.001;  // distances and block borders are rounded to single precision
+  const Schedule schedule(points, BlockGrid(disk_reach * radius * rounding_margin), parallel);
+  PatchMarks marks(points.size());
 
   constexpr std::size_t cells_per_block = 4;
   for (std::size_t color = 0; color < color_count; ++color) {
-    const std::size_t first = schedule.color_begin[color];
-    const std::size_t cells = schedule.color_begin[color + 1] - first;
-    parallel.blocks(cells, cells_per_block, [&](std::size_t begin, std::size_t end, unsigned) {
-      GeodesicDisk disk(points, graph, weights, solver);
-      for (std::size_t d = schedule.cell_begin[first + begin]; d < schedule.cell_begin[first + end]; ++d)
-        throw_dart(darts[d].point, static_cast<float>(radius), disk, sampling.nearest);
-    });
+    const std::size_t first = schedule.first_cell(color);
+    parallel.blocks(schedule.last_cell(color) - first, cells_per_block,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                      GeodesicDisk disk(points, graph, surface, weights, solver, marks);
+                      DartThrower thrower(points, feature_rank, seed, schedule, disk, sampling);
+                      for (std::size_t cell = first + begin; cell < first + end; ++cell) thrower.throw_darts(cell);
+                    });
   }
-
-  // A seed is its own nearest seed. From here on seeds are named by their place among the seeds.
-  std::vector<std::uint32_t> seed_of_point(points.size(), NearestSeeds::none);
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (sampling.nearest[i].seed[0] == i) {
-      seed_of_point[i] = static_cast<std::uint32_t>(sampling.seeds.size());
-      sampling.seeds.push_back(i);
-    }
-  constexpr std::size_t block = 16384;
-  parallel.each(points.size(), block, [&](std::size_t i) {
-    for (std::uint32_t& s : sampling.nearest[i].seed)
-      if (s != NearestSeeds::none) s = seed_of_point[s];
-  });
+  number_seeds(sampling, parallel);
   return sampling;
 }
 

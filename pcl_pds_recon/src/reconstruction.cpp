@@ -193,7 +193,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   clock.start("sampling", 0.5, report.seconds.sampling);
   PoissonDiskSampling sampling;
   if (metric.radius > 0)
-    sampling = sample_poisson_disks(points, graph, metric.weights, feature_ranks(surface, graph, parallel),
+    sampling = sample_poisson_disks(points, graph, surface, metric.weights, feature_ranks(surface, graph, parallel),
                                     metric.radius, options.geodesic_solver, options.seed, parallel);
 
   // Steps 6 and 7: Voronoi diagram and adjacent seeds.

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <pcl_pds_recon/edge_weights.h>
+#include <pcl_pds_recon/geodesic_disk.h>
 #include <pcl_pds_recon/neighbor_graph.h>
 #include <pcl_pds_recon/ordered_points.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/reconstruction.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -110,7 +112,8 @@ struct Stages
 {
   explicit Stages(const Points& input, int k = 15)
       : points(pds::order_points(view_of(input), parallel)),
-        graph(pds::build_neighbor_graph(points, view_of(input), k, parallel))
+        graph(pds::build_neighbor_graph(points, view_of(input), k, parallel)),
+        surface(pds::estimate_surface(points, graph, parallel))
   {
   }
 
@@ -119,7 +122,7 @@ struct Stages
                                                 std::uint64_t seed,
                                                 unsigned threads) const
   {
-    return pds::sample_poisson_disks(points, graph, weights, std::vector<std::uint8_t>(points.size()),
+    return pds::sample_poisson_disks(points, graph, surface, weights, std::vector<std::uint8_t>(points.size()),
                                      factor * graph.sampling_interval, pds::GeodesicSolver::fast_marching, seed,
                                      pds::Parallel(threads));
   }
@@ -127,6 +130,34 @@ struct Stages
   pds::Parallel parallel{2};
   pds::OrderedPoints points;
   pds::NeighborGraph graph;
+  pds::SurfaceEstimate surface;
+};
+
+/** \brief Grows disks on a whole cloud. */
+class WholeCloudDisk
+{
+ public:
+  explicit WholeCloudDisk(const Stages& stages,
+                          const pds::EdgeWeights& weights,
+                          pds::GeodesicSolver solver = pds::GeodesicSolver::fast_marching)
+      : marks_(stages.points.size()), disk_(stages.points, stages.graph, stages.surface, weights, solver, marks_)
+  {
+    disk_.enter({{0, static_cast<std::uint32_t>(stages.points.size())}});
+  }
+
+  /** \brief The points within the limit by ascending distance. */
+  std::vector<pds::GeodesicDisk::Reached> grow(std::uint32_t source, float limit)
+  {
+    std::vector<pds::GeodesicDisk::Reached> reached = disk_.grow(source, limit);
+    std::sort(reached.begin(), reached.end(), [](const auto& x, const auto& y) {
+      return x.distance < y.distance || (x.distance == y.distance && x.point < y.point);
+    });
+    return reached;
+  }
+
+ private:
+  pds::PatchMarks marks_;
+  pds::GeodesicDisk disk_;
 };
 
 }  // namespace pds_test

@@ -33,8 +33,7 @@ class SamplingTest : public testing::TestWithParam<double>
 
   SamplingTest() : stages_(joined(torus(12000), cube(6000)))
   {
-    const pds::SurfaceEstimate surface = pds::estimate_surface(stages_.points, stages_.graph, stages_.parallel);
-    weights_ = pds::curvature_weights(surface, stages_.graph, GetParam(), {}, stages_.parallel);
+    weights_ = pds::curvature_weights(stages_.surface, stages_.graph, GetParam(), {}, stages_.parallel);
     EXPECT_EQ(weights_.uniform(), GetParam() == 0);
     sampling_ = sample(0, 2);
   }
@@ -48,7 +47,7 @@ class SamplingTest : public testing::TestWithParam<double>
   [[nodiscard]] std::vector<std::vector<FromSeed>> grow_all(const PoissonDiskSampling& sampling) const
   {
     std::vector<std::vector<FromSeed>> from(stages_.points.size());
-    pds::GeodesicDisk disk(stages_.points, stages_.graph, weights_, pds::GeodesicSolver::fast_marching);
+    WholeCloudDisk disk(stages_, weights_);
     const auto reach = static_cast<float>(pds::disk_reach * sampling.radius);
     for (std::uint32_t s = 0; s < sampling.seeds.size(); ++s)
       for (const auto& r : disk.grow(sampling.seeds[s], reach)) from[r.point].push_back({r.distance, s});

@@ -86,6 +86,11 @@ struct NeighborGraph
   {
     return {own.data() + i * stride, own.data() + i * stride + own_count[i]};
   }
+  /** \brief The points that count \a i among their nearest without being among its own. */
+  [[nodiscard]] NeighborSpan reverse_neighbors(std::size_t i) const
+  {
+    return {reverse.data() + reverse_begin[i], reverse.data() + reverse_begin[i + 1]};
+  }
   /** \brief All points joined to \a i by an edge. */
   [[nodiscard]] NeighborRange neighbors(std::size_t i) const
   {

@@ -26,7 +26,35 @@ struct NearestSeeds
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
   [[nodiscard]] bool covered(float radius) const { return distance[0] <= radius; }
-  void insert(std::uint32_t new_seed, float new_distance);
+  /** \brief Adds a seed that is not named yet, if it is nearer than the last one. Branch-free but for that. */
+  void insert(std::uint32_t new_seed, float new_distance)
+  {
+    if (new_distance >= distance[2]) return;
+    const bool first = new_distance < distance[0];
+    const bool second = new_distance < distance[1];
+    distance[2] = second ? distance[1] : new_distance;
+    seed[2] = second ? seed[1] : new_seed;
+    distance[1] = first ? distance[0] : second ? new_distance : distance[1];
+    seed[1] = first ? seed[0] : second ? new_seed : seed[1];
+    distance[0] = first ? new_distance : distance[0];
+    seed[0] = first ? new_seed : seed[0];
+  }
+
+  /** \brief Adds a seed, or brings it nearer if it is named already. */
+  void insert_or_approach(std::uint32_t new_seed, float new_distance)
+  {
+    for (std::size_t place = 0; place < capacity; ++place) {
+      if (seed[place] != new_seed) continue;
+      if (distance[place] <= new_distance) return;
+      for (; place + 1 < capacity; ++place) {
+        seed[place] = seed[place + 1];
+        distance[place] = distance[place + 1];
+      }
+      seed[place] = none;
+      distance[place] = infinity;
+    }
+    insert(new_seed, new_distance);
+  }
 };
 
 /** \brief Poisson-disk samples of a cloud. */
@@ -55,6 +83,7 @@ constexpr double disk_reach = 1.25;
  */
 [[nodiscard]] PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                                        const NeighborGraph& graph,
+                                                       const SurfaceEstimate& surface,
                                                        const EdgeWeights& weights,
                                                        const std::vector<std::uint8_t>& feature_rank,
                                                        double radius,
