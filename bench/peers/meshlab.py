@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scripts for MeshLab 2020.09's server, which wants every parameter of a filter; these are its defaults but for lengths."""
+"""Scripts for MeshLab 2020.09's server, which wants every parameter of a filter: its defaults but for lengths."""
 import math
 
 NORMAL_NEIGHBORS = 15

@@ -36,19 +36,23 @@ struct Mesh
   double radius = 0;  ///< Poisson-disk radius, if the method has one
 };
 
-/** \brief Seconds, and bytes of memory above those that were in use at the start. */
+/** \brief Seconds of the clock and of all processors together, and bytes of memory above those that were in use at the
+ * start. */
 class Measurement
 {
  public:
   void start();
   void stop();
   [[nodiscard]] double seconds() const { return seconds_; }
+  [[nodiscard]] double processor_seconds() const { return processor_seconds_; }
   [[nodiscard]] std::int64_t peak_bytes() const { return peak_bytes_; }
 
  private:
   std::chrono::steady_clock::time_point begin_;
   std::int64_t bytes_before_ = 0;
+  double processor_begin_ = 0;
   double seconds_ = 0;
+  double processor_seconds_ = 0;
   std::int64_t peak_bytes_ = 0;
 };
 
@@ -63,8 +67,8 @@ using Work = std::function<Mesh(const Cloud::Ptr& cloud, const Arguments& argume
 
 /** \brief The main function of a runner: METHOD CLOUD MESH PARAMETER THREADS.
  *
- * Prints {"seconds", "peak_bytes", "points", "vertices", "faces", "radius"} and writes the mesh. Vertices without a
- * face are left out of both. \return exit status
+ * Prints {"seconds", "processor_seconds", "peak_bytes", "points", "vertices", "faces", "radius"} and writes the mesh.
+ * Vertices without a face are left out of both. \return exit status
  */
 int run(int argc, char** argv, const Work& work);
 

@@ -27,6 +27,7 @@ class Setup:
 @dataclass(frozen=True)
 class Result:
     seconds: float
+    processor_seconds: float
     peak_bytes: int  # above what the loaded cloud takes
     vertices: int
     points: int = 0
@@ -52,8 +53,8 @@ class Runner:
                    str(setup.threads)]
         line = process.run(command, setup.threads, setup.timeout).output.strip().splitlines()[-1]
         result = json.loads(line)
-        return Result(result["seconds"], result["peak_bytes"], result["vertices"], result["points"],
-                      result.get("radius", 0), result.get("extent", 0))
+        return Result(result["seconds"], result["processor_seconds"], result["peak_bytes"], result["vertices"],
+                      result["points"], result.get("radius", 0), result.get("extent", 0))
 
 
 class Open3D(Runner):
@@ -81,7 +82,8 @@ class MeshLab:
         output = mesh or setup.work / "scratch.ply"
         idle = self._serve(setup, "", setup.work / "scratch.ply")
         busy = self._serve(setup, self._filters(parameter, setup.extent), output)
-        return Result(busy.seconds - idle.seconds, busy.peak_bytes - idle.peak_bytes, meshlab.count_vertices(output))
+        return Result(busy.seconds - idle.seconds, busy.processor_seconds - idle.processor_seconds,
+                      busy.peak_bytes - idle.peak_bytes, meshlab.count_vertices(output))
 
     def _serve(self, setup, filters, mesh):
         script = setup.work / f"{self.key}.mlx"

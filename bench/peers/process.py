@@ -16,11 +16,12 @@ class Failure(Exception):
 class Finished:
     output: str
     seconds: float
+    processor_seconds: float
     peak_bytes: int  # of the largest process
 
 
 def run(command, threads, timeout):
-    """Runs the command on the first cores that this process may use. A program out of time is ended with its children."""
+    """Runs the command on the first cores that this process may use; out of time, it is ended with its children."""
     cores = sorted(os.sched_getaffinity(0))[:threads]
     environment = {**os.environ, "OMP_NUM_THREADS": str(threads)}
     with tempfile.TemporaryFile() as output:
@@ -37,7 +38,7 @@ def run(command, threads, timeout):
     if process.returncode != 0:
         last = (text.strip().splitlines() or ["no output"])[-1]
         raise Failure(f"failed: {last[:100]}")
-    return Finished(text, seconds, usage.ru_maxrss * 1024)
+    return Finished(text, seconds, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024)
 
 
 def _wait(process, timeout):

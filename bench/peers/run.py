@@ -158,13 +158,15 @@ def compare(given, setup, reference):
         raise process.Failure(f"pcl_pds_recon {next(why for peer, why in failures.items() if peer.key == 'ours')}")
     rows, truth = [], None
     for peer, results in runs.items():
-        if peer in failures:
-            continue
         verdict = None
-        if peer is not peers.KD_TREE and (setup.programs / "judge").exists():
-            verdict = judge(setup, mesh_file(setup, peer), reference)
-            truth = verdict if reference else None
-        rows.append(table.row(peer, results, by_key.get("kdtree"), by_key["ours"], verdict))
+        try:
+            if peer not in (peers.KD_TREE, *failures) and (setup.programs / "judge").exists():
+                verdict = judge(setup, mesh_file(setup, peer), reference)
+                truth = verdict if reference else None
+        except process.Failure as failure:
+            failures[peer] = str(failure)
+        if peer not in failures:
+            rows.append(table.row(peer, results, by_key.get("kdtree"), by_key["ours"], verdict))
     rows += [table.row_without(peer, reason) for peer, reason in failures.items()]
     name = "Torus with bumps" if given.generate else f"`{given.cloud.name}`"
     return table.page(name, by_key["ours"][0].points, given.threads, given.repeat, load, truth, rows)
@@ -181,9 +183,10 @@ def main():
         try:
             if given.generate:
                 reference = Path(scratch) / "reference.ply"
-                process.run([programs / "bumpy_torus", given.generate[1], cloud, reference], given.threads, given.timeout)
+                command = [programs / "bumpy_torus", given.generate[1], cloud, reference]
             else:
-                process.run([programs / "peer_cloud", given.cloud, cloud], given.threads, given.timeout)
+                command = [programs / "peer_cloud", given.cloud, cloud]
+            process.run(command, given.threads, given.timeout)
             result = compare(given, setup, reference)
         except process.Failure as failure:
             sys.exit(f"run.py: {failure}")

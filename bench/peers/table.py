@@ -8,15 +8,22 @@ import subprocess
 import sys
 
 PACKAGES = ["libpcl-dev", "libcgal-dev", "python3-open3d", "meshlab", "libflann-dev", "g++"]
-COLUMNS = ["", "vertices", "seconds", "over kd-tree", "over ours", "bytes a point", "defects", "components",
-           "boundary loops", "handles", "mean distance to / from", "smallest angle, mean / least"]
+COLUMNS = ["", "vertices", "seconds, clock / processors", "over kd-tree", "over ours", "bytes a point", "defects",
+           "components", "boundary loops", "handles", "mean distance to / from", "smallest angle, mean / least"]
+LEGEND = """\
+Seconds of work in memory; the ratios are of the clock's. Bytes: peak above the loaded cloud, per point of it. Defects:
+edges of more than two faces / vertices of more than one fan / edges run along twice in the same direction; handles are
+counted only without defects. Distances: of points evenly over the mesh to the reference / the other way, in 1e-5 of the
+reference's diagonal. †: the process less one that only loads and saves."""
 
 
 def machine():
     with open("/proc/cpuinfo", encoding="ascii") as lines:
-        model = next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), platform.machine())
+        models = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
     gib = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
-    return f"{model}, {os.cpu_count()} cores, {gib:.0f} GiB; {platform.freedesktop_os_release()['PRETTY_NAME']}"
+    processor = models[0] if models else platform.machine()
+    system = platform.freedesktop_os_release()["PRETTY_NAME"]
+    return f"{processor}, {os.cpu_count()} cores, {gib:.0f} GiB; {system}"
 
 
 def versions():
@@ -27,9 +34,10 @@ def versions():
 
 def row(peer, runs, yardstick, ours, verdict):
     """Ratios are medians of the ratios inside each round."""
-    seconds = [run.seconds for run in runs]
+    seconds = statistics.median(run.seconds for run in runs)
+    processor_seconds = statistics.median(run.processor_seconds for run in runs)
     bytes_a_point = statistics.median(run.peak_bytes for run in runs) / ours[0].points
-    cells = [peer.title, f"{verdict['vertices']:,}" if verdict else "", f"{statistics.median(seconds):.2f}",
+    cells = [peer.title, f"{verdict['vertices']:,}" if verdict else "", f"{seconds:.2f} / {processor_seconds:.2f}",
              _ratio(runs, yardstick), _ratio(runs, ours), f"{bytes_a_point:.0f}"]
     return _line(cells + (_verdict_cells(verdict) if verdict else []))
 
@@ -65,8 +73,5 @@ def page(cloud, points, threads, rounds, load, truth, rows):
     if truth:
         lines += [f"The reference: components {truth['reference_components']}, boundary loops "
                   f"{truth['reference_boundary_loops']}, handles {truth['reference_genus']}.", ""]
-    lines += ["Seconds of work in memory. Bytes: peak above the loaded cloud, per point of it. Defects: edges of more than "
-              "two faces / vertices of more than one fan / edges run along twice in the same direction; handles are "
-              "counted only without defects. Distances: of points evenly over the mesh to the reference / the other "
-              "way, in 1e-5 of the reference's diagonal. †: the process less one that only loads and saves."]
+    lines += [LEGEND]
     return "\n".join(lines) + "\n"
