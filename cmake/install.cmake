@@ -3,16 +3,24 @@
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/pcl_pds_recon")
 
+set(installed_libraries pcl_pds_recon_core pcl_pds_recon)
+if(TARGET pcl_pds_recon_compare)
+  list(APPEND installed_libraries pcl_pds_recon_compare)
+endif()
 install(
-  TARGETS pcl_pds_recon_core pcl_pds_recon
+  TARGETS ${installed_libraries}
   EXPORT pcl_pds_recon_targets
   RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   INCLUDES
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+foreach(tool IN ITEMS pcl_pds_recon_tool pcl_pds_compare)
+  if(TARGET ${tool})
+    install(TARGETS ${tool} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  endif()
+endforeach()
 if(TARGET pcl_pds_recon_tool)
-  install(TARGETS pcl_pds_recon_tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   foreach(plugin IN ITEMS pcl_pds_recon_vtk)
     if(TARGET ${plugin})
       install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/pcl_pds_recon")

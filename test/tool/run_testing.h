@@ -34,9 +34,9 @@ class RunTool : public TemporaryDirectory
   /** \brief Whether the last run failed as promised: one line that starts with the program's name and holds \a part. */
   [[nodiscard]] testing::AssertionResult complained_of(const std::string& part) const
   {
+    const std::string program = std::filesystem::path(TOOL).filename().string() + ": ";
     const bool is_one_line = !errors_.empty() && errors_.find('\n') == errors_.size() - 1;
-    if (output_.empty() && is_one_line && errors_.rfind("pcl_pds_recon: ", 0) == 0 &&
-        errors_.find(part) != std::string::npos) {
+    if (output_.empty() && is_one_line && errors_.rfind(program, 0) == 0 && errors_.find(part) != std::string::npos) {
       return testing::AssertionSuccess();
     }
     return testing::AssertionFailure() << "stdout: " << output_ << "\nstderr: " << errors_;

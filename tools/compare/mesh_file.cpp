@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/mesh_file.h"
+
+#include "compare/face_readers.h"
+#include "io/file_extension.h"
+#include "io/read_points.h"
+
+#include <pcl_pds_recon/options.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#ifdef PCL_PDS_RECON_WITH_VTK_READER
+#include "compare/vtk_reader.h"
+#endif
+
+namespace pds
+{
+
+namespace
+{
+
+std::string read_bytes(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || !std::filesystem::is_regular_file(path)) {
+    throw InvalidInput("cannot be opened; check the path and its permissions");
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+MeshFile read_by_extension(const std::string& path)
+{
+  const std::string extension = file_extension(path);
+  if (extension == ".stl") {
+    return read_stl(read_bytes(path));
+  }
+#ifdef PCL_PDS_RECON_WITH_VTK_READER
+  if (extension == ".vtk" || extension == ".vtp") {
+    static_cast<void>(read_bytes(path));  // says more than VTK if it cannot be read
+    return read_with_vtk(path);
+  }
+#endif
+  MeshFile mesh{read_points(path), {}};
+  if (extension == ".ply") {
+    mesh.triangles = read_ply_faces(read_bytes(path));
+  } else if (extension == ".obj") {
+    mesh.triangles = read_obj_faces(read_bytes(path));
+  }
+  return mesh;
+}
+
+/** read_points() has put the file's name into its own messages already. */
+std::string with_path(const std::string& path, const std::string& message)
+{
+  return message.rfind(path + ": ", 0) == 0 ? message : path + ": " + message;
+}
+
+}  // namespace
+
+void add_polygon(const std::vector<std::uint32_t>& corners, Triangles& triangles)
+{
+  if (corners.size() < 3) {
+    throw InvalidInput("a face has only " + std::to_string(corners.size()) + " corners; remove it");
+  }
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+}
+
+MeshFile read_mesh_file(const std::string& path)
+{
+  try {
+    MeshFile mesh = read_by_extension(path);
+    validate(to_mesh(mesh));
+    return mesh;
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(with_path(path, error.what()));
+  }
+}
+
+std::vector<std::string> readable_extensions()
+{
+  return {".ply", ".obj", ".stl",
+#ifdef PCL_PDS_RECON_WITH_VTK_READER
+          ".vtk", ".vtp",
+#endif
+          ".pcd", ".xyz", ".txt", ".csv"};
+}
+
+TriangleMesh to_mesh(const MeshFile& file)
+{
+  TriangleMesh mesh;
+  const PointCloudView view = file.points.view();
+  mesh.vertices.reserve(view.size);
+  for (std::size_t i = 0; i < view.size; ++i) {
+    mesh.vertices.push_back(view.positions[i]);
+    if (view.normals && file.triangles.empty()) {
+      const Eigen::Vector3d normal = view.normals[i];
+      mesh.normals.push_back(normal.allFinite() ? normal : Eigen::Vector3d(0, 0, 0));
+    }
+  }
+  mesh.faces = file.triangles;
+  return mesh;
+}
+
+}  // namespace pds
