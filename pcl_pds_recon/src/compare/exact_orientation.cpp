@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/exact_orientation.h"
 
+// GCC 12 believes that numbers of Boost's may be without a value.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>

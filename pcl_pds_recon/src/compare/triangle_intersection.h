@@ -11,8 +11,8 @@ using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 
 /** \brief Whether two triangles meet in more than a corner or an edge that they share. Exact. Corners are the same if
  * their coordinates are.
- * \param s, t with an area
+ * \param first, second with an area
  */
-[[nodiscard]] bool triangles_intersect(const TriangleCorners& s, const TriangleCorners& t);
+[[nodiscard]] bool triangles_intersect(const TriangleCorners& first, const TriangleCorners& second);
 
 }  // namespace pds
