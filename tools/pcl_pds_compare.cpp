@@ -37,7 +37,7 @@ CompareReport measure(const CompareOptions& options, const MeshFile& file)
   }
   CompareReport report;
   if (!options.reference.empty()) {
-    const TriangleMesh reference = to_mesh(read_mesh_file(options.reference));
+    const TriangleMesh reference = to_mesh(read_mesh_file(options.reference, Parallel(options.deviation.threads)));
     try {
       report.deviation = measure_deviation(mesh, reference, options.deviation);
     } catch (const InvalidInput& error) {
@@ -55,9 +55,11 @@ CompareReport measure(const CompareOptions& options, const MeshFile& file)
 }
 
 /** \brief Writes the mesh with the signed deviation as a field of its vertices. */
-void write_deviation(const std::string& path, const MeshFile& mesh, const Deviation& deviation)
+void write_deviation(const CompareOptions& options, const MeshFile& mesh, const Deviation& deviation)
 {
-  PointTable points = mesh.points.with_fields({{"deviation", ScalarType::float32}});
+  const std::string& path = options.output;
+  const Parallel parallel(options.deviation.threads);
+  PointTable points = mesh.points.with_fields({{"deviation", ScalarType::float32}}, parallel);
   const Field& field = *points.find("deviation");
   for (std::size_t i = 0; i < points.size(); ++i) {
     points.set_value(i, field, deviation.vertex_deviation[i]);
@@ -91,10 +93,10 @@ constexpr int exit_not_as_expected = 3;
 int run(const CompareOptions& options)
 {
   check_writable_outputs(options);
-  const MeshFile mesh = read_mesh_file(options.mesh);
+  const MeshFile mesh = read_mesh_file(options.mesh, Parallel(options.deviation.threads));
   const CompareReport report = measure(options, mesh);
   if (!options.output.empty()) {
-    write_deviation(options.output, mesh, *report.deviation);
+    write_deviation(options, mesh, *report.deviation);
   }
 #ifdef PCL_PDS_RECON_WITH_RENDERING
   if (!options.picture.empty()) {

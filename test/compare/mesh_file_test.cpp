@@ -21,7 +21,7 @@ class MeshFileTest : public TemporaryDirectory
   void expect_complaint(const std::string& name, const std::string& bytes, const std::string& part)
   {
     try {
-      static_cast<void>(read_mesh_file(write(name, bytes)));
+      static_cast<void>(read_mesh_file(write(name, bytes), Parallel()));
       ADD_FAILURE() << name << " was taken: " << part;
     } catch (const InvalidInput& error) {
       const std::string message = error.what();
@@ -45,11 +45,13 @@ const Triangles two = {{0, 1, 2}, {0, 2, 3}};
 TEST_F(MeshFileTest, ply_polygons_become_fans)
 {
   const std::string header = "element face 1\nproperty uchar flag\nproperty list uchar int vertex_indices\n";
-  EXPECT_EQ(read_mesh_file(write("m.ply", ascii_ply(header, "7 4 0 1 2 3\n"))).triangles, two);
+  EXPECT_EQ(read_mesh_file(write("m.ply", ascii_ply(header, "7 4 0 1 2 3\n")), Parallel()).triangles, two);
   const std::string other_lists =
       "element face 2\nproperty list uchar float texcoord\nproperty list int uint vertex_index\n";
-  EXPECT_EQ(read_mesh_file(write("m.ply", ascii_ply(other_lists, "2 0.5 0.5 3 0 1 2\n0 3 0 2 3\n"))).triangles, two);
-  EXPECT_TRUE(read_mesh_file(write("m.ply", ascii_ply("", ""))).triangles.empty());
+  EXPECT_EQ(
+      read_mesh_file(write("m.ply", ascii_ply(other_lists, "2 0.5 0.5 3 0 1 2\n0 3 0 2 3\n")), Parallel()).triangles,
+      two);
+  EXPECT_TRUE(read_mesh_file(write("m.ply", ascii_ply("", "")), Parallel()).triangles.empty());
 }
 
 TEST_F(MeshFileTest, damaged_ply_faces_are_refused)
@@ -71,8 +73,8 @@ TEST_F(MeshFileTest, damaged_ply_faces_are_refused)
 TEST_F(MeshFileTest, obj_faces_count_from_one_or_backwards)
 {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  EXPECT_EQ(read_mesh_file(write("m.obj", vertices + "f 1/1/1 2//2 3 4/5\n")).triangles, two);
-  EXPECT_EQ(read_mesh_file(write("m.obj", vertices + "f -4 -3 -2\nf -4 -2 -1\n")).triangles, two);
+  EXPECT_EQ(read_mesh_file(write("m.obj", vertices + "f 1/1/1 2//2 3 4/5\n"), Parallel()).triangles, two);
+  EXPECT_EQ(read_mesh_file(write("m.obj", vertices + "f -4 -3 -2\nf -4 -2 -1\n"), Parallel()).triangles, two);
   expect_complaint("zero.obj", vertices + "f 0 1 2\n", "line 5");
   expect_complaint("before.obj", vertices + "f -5 1 2\n", "line 5 names a vertex that is not there");
   expect_complaint("after.obj", vertices + "f 1 2 5\n", "names vertex 4 of 4");
@@ -94,29 +96,29 @@ std::string binary_stl(std::uint32_t announced)
 
 TEST_F(MeshFileTest, stl_corners_are_joined)
 {
-  const MeshFile mesh = read_mesh_file(write("m.stl", binary_stl(2)));
+  const MeshFile mesh = read_mesh_file(write("m.stl", binary_stl(2)), Parallel());
   EXPECT_EQ(mesh.points.size(), 4U);
   EXPECT_EQ(mesh.triangles, two);
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n";
-  EXPECT_EQ(read_mesh_file(write("t.stl", "solid x\n" + facet + "endsolid x\n")).triangles.size(), 1U);
+  EXPECT_EQ(read_mesh_file(write("t.stl", "solid x\n" + facet + "endsolid x\n"), Parallel()).triangles.size(), 1U);
   expect_complaint("cut.stl", "solid x\n" + facet, "cut short");
   expect_complaint("few.stl", "solid x\nouter loop\nvertex 0 0 0\nendloop\nendsolid\n", "three corners");
   expect_complaint("word.stl", "solid x\nouter loop\nvertex 0 0 z\nendloop\nendsolid\n", "line 3");
   expect_complaint("lying.stl", binary_stl(3), "fewer than it announces");
-  expect_complaint("empty.stl", "", "fewer than it announces");
+  expect_complaint("empty.stl", "", "the file is empty");
 }
 
 TEST_F(MeshFileTest, every_written_format_comes_back)
 {
-  const MeshFile mesh = read_mesh_file(write("m.stl", binary_stl(2)));
+  const MeshFile mesh = read_mesh_file(write("m.stl", binary_stl(2)), Parallel());
   for (const std::string& extension : mesh_extensions()) {
     for (const bool ascii : {false, true}) {
       AtomicFile file(path("out" + extension));
       write_mesh(file, extension, mesh.points, mesh.triangles, ascii);
       file.finish();
       file.commit();
-      const MeshFile back = read_mesh_file(path("out" + extension));
+      const MeshFile back = read_mesh_file(path("out" + extension), Parallel());
       EXPECT_EQ(back.triangles, two) << extension;
       EXPECT_EQ(to_mesh(back).vertices, to_mesh(mesh).vertices) << extension;
     }
@@ -129,7 +131,7 @@ TEST_F(MeshFileTest, files_without_a_mesh_are_refused)
   expect_complaint("a.las", "LASF", "extension");
   expect_complaint("broken.vtk", "nothing of the kind", "");
   expect_complaint("broken.vtp", "<VTKFile", "");
-  EXPECT_THROW(static_cast<void>(read_mesh_file(path("missing.stl"))), InvalidInput);
+  EXPECT_THROW(static_cast<void>(read_mesh_file(path("missing.stl"), Parallel())), InvalidInput);
 }
 
 }  // namespace

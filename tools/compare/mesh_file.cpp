@@ -2,14 +2,11 @@
 #include "compare/mesh_file.h"
 
 #include "compare/face_readers.h"
+#include "io/byte_source.h"
 #include "io/file_extension.h"
 #include "io/read_points.h"
 
 #include <pcl_pds_recon/options.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #ifdef PCL_PDS_RECON_WITH_VTK_READER
 #include "compare/vtk_reader.h"
@@ -21,32 +18,23 @@ namespace pds
 namespace
 {
 
-std::string read_bytes(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(path)) {
-    throw InvalidInput("cannot be opened; check the path and its permissions");
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-MeshFile read_by_extension(const std::string& path)
+MeshFile read_by_extension(const std::string& path, const Parallel& parallel)
 {
   const std::string extension = file_extension(path);
   if (extension == ".stl") {
-    return read_stl(read_bytes(path));
+    return read_stl(ByteSource::from_file(path).all());
   }
 #ifdef PCL_PDS_RECON_WITH_VTK_READER
   if (extension == ".vtk" || extension == ".vtp") {
-    static_cast<void>(read_bytes(path));  // says more than VTK if it cannot be read
+    static_cast<void>(ByteSource::from_file(path));  // says more than VTK if it cannot be read
     return read_with_vtk(path);
   }
 #endif
-  MeshFile mesh{read_points(path), {}};
+  MeshFile mesh{read_points(path, parallel), {}};
   if (extension == ".ply") {
-    mesh.triangles = read_ply_faces(read_bytes(path));
+    mesh.triangles = read_ply_faces(ByteSource::from_file(path).all());
   } else if (extension == ".obj") {
-    mesh.triangles = read_obj_faces(read_bytes(path));
+    mesh.triangles = read_obj_faces(ByteSource::from_file(path).all());
   }
   return mesh;
 }
@@ -69,10 +57,10 @@ void add_polygon(const std::vector<std::uint32_t>& corners, Triangles& triangles
   }
 }
 
-MeshFile read_mesh_file(const std::string& path)
+MeshFile read_mesh_file(const std::string& path, const Parallel& parallel)
 {
   try {
-    MeshFile mesh = read_by_extension(path);
+    MeshFile mesh = read_by_extension(path, parallel);
     validate(to_mesh(mesh));
     return mesh;
   } catch (const InvalidInput& error) {

@@ -4,6 +4,7 @@
 #include "io/ply_writer.h"
 #include "io/point_table.h"
 
+#include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/triangle_mesh.h>
 
 #include <string>
@@ -23,7 +24,7 @@ struct MeshFile
  * read_points(). Coincident corners of an STL file, which has no vertices, become one.
  * \throws InvalidInput with one line that names the file, what is wrong and how to mend it
  */
-[[nodiscard]] MeshFile read_mesh_file(const std::string& path);
+[[nodiscard]] MeshFile read_mesh_file(const std::string& path, const Parallel& parallel);
 
 /** \brief The extensions of read_mesh_file(). */
 [[nodiscard]] std::vector<std::string> readable_extensions();
