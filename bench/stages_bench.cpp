@@ -32,7 +32,7 @@ struct Stages
     sampling = sample_poisson_disks(points, graph, surface, weights, ranks, radius, solver, 0, all_cores);
     voronoi = build_geodesic_voronoi(points, graph, weights, sampling, options.voronoi_threshold, all_cores);
     seeds = describe_seeds(cloud, points, surface, sampling, voronoi, all_cores);
-    seed_graph = build_seed_graph(seeds, voronoi.pairs);
+    seed_graph = build_seed_graph(seeds, voronoi.pairs, all_cores);
   }
 
   const Parallel all_cores;
@@ -58,12 +58,12 @@ const Stages& stages_of(std::size_t count)
   return *last;
 }
 
-std::vector<std::uint32_t> faces_and_holes(const Stages& s, const Parallel&)
+std::vector<std::uint32_t> faces_and_holes(const Stages& s, const Parallel& parallel)
 {
-  const std::vector<Polygon> faces = trace_faces(s.seed_graph, s.seeds);
-  TriangleComplex complex(s.seeds.position);
-  add_dual_triangles(complex, faces, s.voronoi.triples);
-  fill_holes(complex, s.seeds, BorderingCells(s.voronoi.pairs), faces, FillLimits{});
+  const SeedFaces faces = trace_faces(s.seed_graph, s.seeds, parallel);
+  TriangleComplex complex(s.seeds.position, parallel);
+  add_dual_triangles(complex, faces.triangles, s.voronoi.triples);
+  fill_holes(complex, s.seeds, BorderingCells(s.voronoi.pairs), faces.polygons, FillLimits{});
   return complex.faces();
 }
 
@@ -111,9 +111,9 @@ void add_stages()
     return build_geodesic_voronoi(s.points, s.graph, s.weights, s.sampling, s.options.voronoi_threshold, p);
   });
   add("seed_graph", true, [](const Stages& s, const Parallel& p) {
-    return build_seed_graph(describe_seeds(s.cloud, s.points, s.surface, s.sampling, s.voronoi, p), s.voronoi.pairs);
+    return build_seed_graph(describe_seeds(s.cloud, s.points, s.surface, s.sampling, s.voronoi, p), s.voronoi.pairs, p);
   });
-  add("faces_and_holes", false, faces_and_holes);
+  add("faces_and_holes", true, faces_and_holes);
   add("reconstruct", true, whole_run);
 }
 

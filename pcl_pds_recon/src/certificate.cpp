@@ -3,93 +3,181 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include "bucket_sort.h"
+#include "parallel_parts.h"
 
 namespace pds
 {
 namespace
 {
 
-/** \brief One side of a face: an edge with its direction. */
+constexpr std::size_t block = 2048;  // faces or vertices per block
+
+using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
+
+/** \brief One side of a face, at the lower end of its edge. */
 struct Side
 {
-  std::uint32_t low, high;
+  std::uint32_t high;
   std::uint32_t face;
-  bool ascending;  ///< the face runs from low to high
+  bool ascending;  ///< the face runs from the lower to the higher end
 
-  bool operator<(const Side& other) const
-  {
-    return std::tie(low, high, face) < std::tie(other.low, other.high, other.face);
-  }
-  [[nodiscard]] bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+  bool operator<(const Side& other) const { return std::tie(high, face) < std::tie(other.high, other.face); }
 };
 
 class DisjointSets
 {
  public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  void reset(std::size_t count)
+  {
+    parent_.resize(count);
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    sets_ = count;
+  }
+  void join(std::uint32_t a, std::uint32_t b)
+  {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    parent_[std::max(a, b)] = std::min(a, b);
+    --sets_;
+  }
+  [[nodiscard]] std::size_t sets() const { return sets_; }
 
+ private:
   std::uint32_t find(std::uint32_t i)
   {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
 
-  std::size_t count_roots()
+  std::vector<std::uint32_t> parent_;
+  std::size_t sets_ = 0;
+};
+
+/** \brief What sorting the sides by their edges shows. */
+struct EdgeCounts
+{
+  std::size_t edges = 0;
+  std::size_t nonmanifold = 0;
+  std::size_t inconsistent = 0;
+  std::vector<DirectedEdge> boundary;
+  std::vector<DirectedEdge> joined;  ///< faces that share an edge
+
+  /** \brief Counts the edges of which this vertex is the lower end; sorts its sides. */
+  void count(std::uint32_t low, Side* begin, Side* end)
   {
-    std::size_t roots = 0;
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) roots += find(i) == i ? 1 : 0;
-    return roots;
+    std::sort(begin, end);
+    for (const Side* side = begin; side != end;) {
+      const Side* last = side + 1;
+      for (; last != end && last->high == side->high; ++last) joined.emplace_back(side->face, last->face);
+      ++edges;
+      if (last - side > 2) ++nonmanifold;
+      if (last - side == 2 && side->ascending == side[1].ascending) ++inconsistent;
+      if (last - side == 1)
+        boundary.push_back(side->ascending ? DirectedEdge(low, side->high) : DirectedEdge(side->high, low));
+      side = last;
+    }
+  }
+};
+
+EdgeCounts count_edges(const std::vector<Triangle>& triangles, std::size_t vertex_count, const Parallel& parallel)
+{
+  BucketSort by_low_end(vertex_count);
+  const auto each_side = [&](const auto& action) {
+    parallel.each(triangles.size(), block, [&](std::size_t f) {
+      for (std::size_t e = 0; e < 3; ++e) action(f, triangles[f][e], triangles[f][(e + 1) % 3]);
+    });
+  };
+  each_side([&](std::size_t, std::uint32_t from, std::uint32_t to) { by_low_end.count(std::min(from, to)); });
+  const std::vector<std::size_t> begin = by_low_end.begins();
+  std::vector<Side> sides(begin.back());
+  each_side([&](std::size_t f, std::uint32_t from, std::uint32_t to) {
+    sides[by_low_end.place(std::min(from, to))] = {std::max(from, to), static_cast<std::uint32_t>(f), from < to};
+  });
+
+  EdgeCounts sum;
+  for (const EdgeCounts& part : parallel_parts<EdgeCounts>(
+           vertex_count, block, parallel, [&](std::size_t first, std::size_t last, EdgeCounts&counts) {
+             for (std::size_t v = first; v < last; ++v)
+               counts.count(static_cast<std::uint32_t>(v), sides.data() + begin[v], sides.data() + begin[v + 1]);
+           })) {
+    sum.edges += part.edges;
+    sum.nonmanifold += part.nonmanifold;
+    sum.inconsistent += part.inconsistent;
+    append(sum.boundary, part.boundary);
+    append(sum.joined, part.joined);
+  }
+  return sum;
+}
+
+/** \brief A vertex is manifold if its faces' opposite edges, its link, form one path or one cycle. */
+class LinkCheck
+{
+ public:
+  bool is_single_fan(const DirectedEdge* begin, const DirectedEdge* end)
+  {
+    ends_.clear();
+    for (const DirectedEdge* edge = begin; edge != end; ++edge) {
+      ends_.push_back(edge->first);
+      ends_.push_back(edge->second);
+    }
+    std::sort(ends_.begin(), ends_.end());
+    for (std::size_t i = 2; i < ends_.size(); ++i)
+      if (ends_[i] == ends_[i - 2]) return false;
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+    joined_.reset(ends_.size());
+    for (const DirectedEdge* edge = begin; edge != end; ++edge) joined_.join(place(edge->first), place(edge->second));
+    return joined_.sets() == 1;
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  [[nodiscard]] std::uint32_t place(std::uint32_t end) const
+  {
+    return static_cast<std::uint32_t>(std::find(ends_.begin(), ends_.end(), end) - ends_.begin());
+  }
+
+  std::vector<std::uint32_t> ends_;
+  DisjointSets joined_;
 };
 
-std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles)
+/** \brief Vertices that have a face, and those of them that are not manifold. */
+struct VertexCounts
 {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t f = 0; f < triangles.size(); ++f)
-    for (std::size_t e = 0; e < 3; ++e) {
-      const std::uint32_t from = triangles[f][e];
-      const std::uint32_t to = triangles[f][(e + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), f, from < to});
-    }
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
+  std::size_t used = 0;
+  std::size_t nonmanifold = 0;
+};
 
-/** \brief A vertex is manifold if its faces' opposite edges form one path or one cycle. */
-bool is_single_fan(const std::vector<Triangle>& triangles,
-                   const std::vector<std::uint32_t>& around,
-                   std::uint32_t vertex)
+VertexCounts count_vertices(const std::vector<Triangle>& triangles, std::size_t vertex_count, const Parallel& parallel)
 {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> link;
-  for (const std::uint32_t f : around) {
+  BucketSort by_vertex(vertex_count);
+  parallel.each(triangles.size(), block, [&](std::size_t f) {
+    for (const std::uint32_t v : triangles[f]) by_vertex.count(v);
+  });
+  const std::vector<std::size_t> begin = by_vertex.begins();
+  std::vector<DirectedEdge> link(begin.back());
+  parallel.each(triangles.size(), block, [&](std::size_t f) {
     const Triangle& t = triangles[f];
-    const std::size_t corner = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
-    link.emplace_back(t[(corner + 1) % 3], t[(corner + 2) % 3]);
+    for (std::size_t i = 0; i < 3; ++i) link[by_vertex.place(t[i])] = {t[(i + 1) % 3], t[(i + 2) % 3]};
+  });
+  VertexCounts sum;
+  for (const VertexCounts& part : parallel_parts<VertexCounts>(
+           vertex_count, block, parallel, [&](std::size_t first, std::size_t last, VertexCounts&counts) {
+             LinkCheck check;
+             for (std::size_t v = first; v < last; ++v) {
+               if (begin[v] == begin[v + 1]) continue;
+               ++counts.used;
+               if (!check.is_single_fan(link.data() + begin[v], link.data() + begin[v + 1])) ++counts.nonmanifold;
+             }
+           })) {
+    sum.used += part.used;
+    sum.nonmanifold += part.nonmanifold;
   }
-  std::vector<std::uint32_t> ends;
-  for (const auto& [x, y] : link) {
-    ends.push_back(x);
-    ends.push_back(y);
-  }
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t i = 2; i < ends.size(); ++i)
-    if (ends[i] == ends[i - 2]) return false;
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  const auto place = [&](std::uint32_t v) {
-    return static_cast<std::uint32_t>(std::lower_bound(ends.begin(), ends.end(), v) - ends.begin());
-  };
-  DisjointSets joined(ends.size());
-  for (const auto& [x, y] : link) joined.join(place(x), place(y));
-  return joined.count_roots() == 1;
+  return sum;
 }
 
 /** \brief Chains directed boundary edges; at a vertex with several, in order of their ends. */
-std::vector<std::vector<std::uint32_t>> chain_loops(std::vector<std::pair<std::uint32_t, std::uint32_t>> edges)
+std::vector<std::vector<std::uint32_t>> chain_loops(std::vector<DirectedEdge> edges)
 {
   std::sort(edges.begin(), edges.end());
   std::vector<std::uint8_t> used(edges.size());
@@ -113,37 +201,24 @@ std::vector<std::vector<std::uint32_t>> chain_loops(std::vector<std::pair<std::u
 
 }  // namespace
 
-Certificate certify(const std::vector<Triangle>& triangles, std::size_t vertex_count)
+Certificate certify(const std::vector<Triangle>& triangles, std::size_t vertex_count, const Parallel& parallel)
 {
-  Certificate c;
-  c.faces = triangles.size();
-  const std::vector<Side> sides = sorted_sides(triangles);
-  DisjointSets joined(triangles.size());
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> boundary;
-  for (std::size_t begin = 0; begin < sides.size();) {
-    std::size_t end = begin + 1;
-    for (; end < sides.size() && sides[end].same_edge(sides[begin]); ++end)
-      joined.join(sides[begin].face, sides[end].face);
-    const Side& side = sides[begin];
-    ++c.edges;
-    if (end - begin > 2) ++c.nonmanifold_edges;
-    if (end - begin == 2 && side.ascending == sides[begin + 1].ascending) ++c.inconsistent_edges;
-    if (end - begin == 1)
-      boundary.emplace_back(side.ascending ? side.low : side.high, side.ascending ? side.high : side.low);
-    begin = end;
-  }
-  c.components = joined.count_roots();
-  c.boundary_loops = chain_loops(std::move(boundary));
+  EdgeCounts edges = count_edges(triangles, vertex_count, parallel);
+  const VertexCounts vertices = count_vertices(triangles, vertex_count, parallel);
+  DisjointSets faces;
+  faces.reset(triangles.size());
+  for (const auto& [f, g] : edges.joined) faces.join(f, g);
 
-  std::vector<std::vector<std::uint32_t>> around(vertex_count);
-  for (std::uint32_t f = 0; f < triangles.size(); ++f)
-    for (const std::uint32_t v : triangles[f]) around[v].push_back(f);
-  for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    if (around[v].empty()) continue;
-    ++c.vertices;
-    if (!is_single_fan(triangles, around[v], v)) ++c.nonmanifold_vertices;
-  }
+  Certificate c;
+  c.vertices = vertices.used;
+  c.faces = triangles.size();
+  c.edges = edges.edges;
+  c.components = faces.sets();
+  c.nonmanifold_edges = edges.nonmanifold;
+  c.nonmanifold_vertices = vertices.nonmanifold;
+  c.inconsistent_edges = edges.inconsistent;
   c.euler = static_cast<long long>(c.vertices) - static_cast<long long>(c.edges) + static_cast<long long>(c.faces);
+  c.boundary_loops = chain_loops(std::move(edges.boundary));
   return c;
 }
 

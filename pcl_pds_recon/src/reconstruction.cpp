@@ -202,24 +202,24 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
       build_geodesic_voronoi(points, graph, metric.weights, sampling, options.voronoi_threshold, parallel);
   clock.start("seed_graph", 0.8, report.seconds.seed_graph);
   const SeedGeometry seeds = describe_seeds(cloud, points, surface, sampling, voronoi, parallel);
-  const SeedGraph seed_graph = build_seed_graph(seeds, voronoi.pairs);
+  const SeedGraph seed_graph = build_seed_graph(seeds, voronoi.pairs, parallel);
 
   // Step 8: triangles, holes.
   clock.start("faces", 0.85, report.seconds.faces);
-  const std::vector<Polygon> faces = trace_faces(seed_graph, seeds);
-  TriangleComplex complex(seeds.position);
-  const std::vector<Triangle> one_sided = add_dual_triangles(complex, faces, voronoi.triples);
+  const SeedFaces faces = trace_faces(seed_graph, seeds, parallel);
+  TriangleComplex complex(seeds.position, parallel);
+  const std::vector<Triangle> one_sided = add_dual_triangles(complex, faces.triangles, voronoi.triples);
   clock.start("holes", 0.9, report.seconds.holes);
   FillLimits limits;
   limits.perimeter = options.hole_size;
-  report.filled_holes = fill_holes(complex, seeds, BorderingCells(voronoi.pairs), faces, limits);
+  report.filled_holes = fill_holes(complex, seeds, BorderingCells(voronoi.pairs), faces.polygons, limits);
 
   clock.start("orientation", 0.95, report.seconds.orientation);
   std::vector<std::uint32_t> number_of_seed;
   number_vertices(orient_faces(complex, cues_for(cloud, points, sampling)), points, sampling, number_of_seed, result);
   describe_points(points, sampling, voronoi, number_of_seed, result);
   report.orientable = one_sided.empty();
-  report_certificate(certify(result.triangles, result.seeds.size()), result);
+  report_certificate(certify(result.triangles, result.seeds.size(), parallel), result);
   report_sampling(sampling, report);
   clock.stop();
 

@@ -2,6 +2,7 @@
 #include <pcl_pds_recon/seed_faces.h>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include "parallel_parts.h"
 
 namespace pds
 {
@@ -14,128 +15,134 @@ constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double least_dual_angle = 40 * degree;     // between two faces at an edge; sharper is folded back
 constexpr double first_triple_angle = 63 * degree;   // smooth places first: a wrong triple usually stands up
 constexpr double second_triple_angle = 40 * degree;  // then sharp creases
-constexpr std::size_t longest_face = 64;             // corners; anything longer is a rim, not a face
+constexpr std::size_t seeds_per_block = 512;
+constexpr std::size_t longest_face = 64;  // corners; anything longer is a rim, not a face
 
-/** \brief A place in the rotation system: an edge leaving \a from, seen with or against the normal of \a from. */
-struct Dart
+/** \brief The rotation system of the seed graph. A dart is an edge with a direction, seen with or against the normal of
+ * the seed it leaves: 2 x its place in the graph's rows, + 1 if against ("flipped"). */
+class RotationSystem
 {
-  std::uint32_t from;
-  std::uint32_t slot;  ///< which of the seed's neighbours
-  bool flipped;        ///< walking on the side opposite to the seed's normal
+ public:
+  RotationSystem(const SeedGraph& graph, const SeedGeometry& seeds, const Parallel& parallel)
+      : graph_(graph), twin_(graph.neighbor.size()), changes_side_(graph.neighbor.size())
+  {
+    parallel.each(seeds.position.size(), seeds_per_block, [&](std::size_t s) {
+      for (std::size_t place = graph.begin[s]; place < graph.begin[s + 1]; ++place) {
+        const std::uint32_t other = graph.neighbor[place];
+        const auto row = graph.neighbor.begin() + static_cast<std::ptrdiff_t>(graph.begin[other]);
+        twin_[place] = graph.begin[other] + static_cast<std::size_t>(std::find(row, graph.neighbor.end(), s) - row);
+        changes_side_[place] = changes_side(seeds, s, other) ? 1 : 0;
+      }
+    });
+  }
+
+  /** \brief The seed that the dart leads to. */
+  [[nodiscard]] std::uint32_t head(std::size_t dart) const { return graph_.neighbor[dart / 2]; }
+
+  /** \brief The next edge of the face on the left: from the head, the first one clockwise from where we came. */
+  [[nodiscard]] std::size_t next(std::size_t dart) const
+  {
+    const std::size_t first = graph_.begin[head(dart)];
+    const std::size_t last = graph_.begin[head(dart) + 1];
+    const std::size_t back = twin_[dart / 2];
+    const bool flipped = flips_to(dart);
+    const std::size_t place = flipped ? (back + 1 == last ? first : back + 1) : (back == first ? last : back) - 1;
+    return 2 * place + (flipped ? 1 : 0);
+  }
+
+  /** \brief The same edge walked the other way on the other side: it bounds the same face, mirrored. */
+  [[nodiscard]] std::size_t mirrored(std::size_t dart) const { return 2 * twin_[dart / 2] + (flips_to(dart) ? 0 : 1); }
+
+ private:
+  /** \brief True if the normals of the edge's ends point to opposite sides: one is mirrored in the edge's
+   * perpendicular bisector plane first, which carries it along the surface even across a sharp bend. */
+  static bool changes_side(const SeedGeometry& seeds, std::size_t from, std::size_t to)
+  {
+    const Vector3d along = seeds.position[to] - seeds.position[from];
+    const double of_from = seeds.normal[from].dot(along);
+    const double of_to = seeds.normal[to].dot(along);
+    return seeds.normal[from].dot(seeds.normal[to]) * along.squaredNorm() < 2 * of_from * of_to;
+  }
+
+  /** \brief Whether the face is seen against the normal of the dart's head. */
+  [[nodiscard]] bool flips_to(std::size_t dart) const { return (dart % 2 != 0) != (changes_side_[dart / 2] != 0); }
+
+  const SeedGraph& graph_;
+  std::vector<std::size_t> twin_;  ///< by place in the graph's rows: the place of the same edge, walked back
+  std::vector<std::uint8_t> changes_side_;
 };
 
 class FaceTracer
 {
  public:
-  FaceTracer(const SeedGraph& graph, const SeedGeometry& seeds) : graph_(graph), seeds_(seeds)
+  FaceTracer(const RotationSystem& rotation, const SeedGeometry& seeds) : rotation_(rotation), seeds_(seeds) {}
+
+  /** \brief Walks round the face that begins at \a seed with the dart \a start. Every face is found from all its darts,
+   * from those of its mirror image too, and counts only from the first of them.
+   * \return false if it is no face, or found elsewhere */
+  bool trace(std::uint32_t seed, std::size_t start)
   {
-    begin_.push_back(0);
-    for (const auto& row : graph.neighbors) begin_.push_back(begin_.back() + row.size());
-    visited_.assign(2 * begin_.back(), 0);
+    corners.clear();
+    Vector3d normal = Vector3d::Zero();
+    std::size_t dart = start;
+    do {
+      if (corners.size() == longest_face || dart < start || rotation_.mirrored(dart) < start) return false;
+      if (std::find(corners.begin(), corners.end(), seed) != corners.end()) return false;
+      corners.push_back(seed);
+      normal += dart % 2 != 0 ? Vector3d(-seeds_.normal[seed]) : seeds_.normal[seed];
+      seed = rotation_.head(dart);
+      dart = rotation_.next(dart);
+    } while (dart != start);
+    return corners.size() >= 3 && area_vector().dot(normal) > 0;
   }
 
-  std::vector<Polygon> all()
-  {
-    std::vector<Polygon> polygons;
-    for (std::uint32_t s = 0; s < graph_.neighbors.size(); ++s)
-      for (std::uint32_t slot = 0; slot < graph_.neighbors[s].size(); ++slot)
-        for (const bool flipped : {false, true}) {
-          const Dart dart{s, slot, flipped};
-          if (visited_[number(dart)] != 0) continue;
-          Polygon polygon = trace(dart);
-          if (!polygon.empty()) polygons.push_back(std::move(polygon));
-        }
-    return polygons;
-  }
+  Polygon corners;
 
  private:
-  [[nodiscard]] std::size_t number(const Dart& d) const { return 2 * (begin_[d.from] + d.slot) + (d.flipped ? 1 : 0); }
-
-  [[nodiscard]] std::uint32_t head(const Dart& d) const { return graph_.neighbors[d.from][d.slot]; }
-
-  /** \brief True if the normals of the edge's ends point to opposite sides: one is mirrored in the edge's
-   * perpendicular bisector plane first, which carries it along the surface even across a sharp bend. */
-  [[nodiscard]] bool changes_side(const Dart& d) const
+  [[nodiscard]] Vector3d area_vector() const
   {
-    const Vector3d along = (seeds_.position[head(d)] - seeds_.position[d.from]).normalized();
-    const Vector3d& normal = seeds_.normal[d.from];
-    const Vector3d carried = normal - 2 * normal.dot(along) * along;
-    return carried.dot(seeds_.normal[head(d)]) < 0;
-  }
-
-  /** \brief The next edge of the face on the left: from the head, the first one clockwise from where we came. */
-  [[nodiscard]] Dart next(const Dart& d) const
-  {
-    const std::uint32_t at = head(d);
-    const auto& row = graph_.neighbors[at];
-    const auto size = static_cast<std::uint32_t>(row.size());
-    const auto back = static_cast<std::uint32_t>(std::find(row.begin(), row.end(), d.from) - row.begin());
-    const bool flipped = d.flipped != changes_side(d);
-    return {at, flipped ? (back + 1) % size : (back + size - 1) % size, flipped};
-  }
-
-  /** \brief The same edge walked the other way on the other side: it bounds the same face, mirrored. */
-  [[nodiscard]] Dart mirrored(const Dart& d) const
-  {
-    const auto& row = graph_.neighbors[head(d)];
-    const auto back = static_cast<std::uint32_t>(std::find(row.begin(), row.end(), d.from) - row.begin());
-    return {head(d), back, d.flipped == changes_side(d)};
-  }
-
-  /** \brief Walks round the face; empty if it is none. */
-  Polygon trace(const Dart& start)
-  {
-    Polygon polygon;
-    Vector3d normal = Vector3d::Zero();
-    bool proper = true;
-    Dart dart = start;
-    do {
-      visited_[number(dart)] = 1;
-      visited_[number(mirrored(dart))] = 1;
-      if (polygon.size() < longest_face) {
-        proper = proper && std::find(polygon.begin(), polygon.end(), dart.from) == polygon.end();
-        polygon.push_back(dart.from);
-        normal += dart.flipped ? Vector3d(-seeds_.normal[dart.from]) : seeds_.normal[dart.from];
-      } else {
-        proper = false;
-      }
-      dart = next(dart);
-    } while (number(dart) != number(start));
-    proper = proper && polygon.size() >= 3 && area_vector(polygon).dot(normal) > 0;
-    if (!proper) polygon.clear();
-    return polygon;
-  }
-
-  [[nodiscard]] Vector3d area_vector(const Polygon& polygon) const
-  {
-    const Vector3d& origin = seeds_.position[polygon.front()];
+    const Vector3d& origin = seeds_.position[corners.front()];
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-      sum += (seeds_.position[polygon[i]] - origin).cross(seeds_.position[polygon[i + 1]] - origin);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      sum += (seeds_.position[corners[i]] - origin).cross(seeds_.position[corners[i + 1]] - origin);
     return sum;
   }
 
-  const SeedGraph& graph_;
+  const RotationSystem& rotation_;
   const SeedGeometry& seeds_;
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint8_t> visited_;
 };
 
 }  // namespace
 
-std::vector<Polygon> trace_faces(const SeedGraph& graph, const SeedGeometry& seeds)
+SeedFaces trace_faces(const SeedGraph& graph, const SeedGeometry& seeds, const Parallel& parallel)
 {
-  return FaceTracer(graph, seeds).all();
+  const RotationSystem rotation(graph, seeds, parallel);
+  SeedFaces faces;
+  for (const SeedFaces& part : parallel_parts<SeedFaces>(
+           seeds.position.size(), seeds_per_block, parallel, [&](std::size_t begin, std::size_t end, SeedFaces&found) {
+             FaceTracer face(rotation, seeds);
+             for (std::size_t s = begin; s < end; ++s)
+               for (std::size_t dart = 2 * graph.begin[s]; dart < 2 * graph.begin[s + 1]; ++dart) {
+                 if (!face.trace(static_cast<std::uint32_t>(s), dart)) continue;
+                 if (face.corners.size() == 3)
+                   found.triangles.push_back({face.corners[0], face.corners[1], face.corners[2]});
+                 else
+                   found.polygons.push_back(face.corners);
+               }
+           })) {
+    append(faces.triangles, part.triangles);
+    append(faces.polygons, part.polygons);
+  }
+  return faces;
 }
 
 std::vector<Triangle> add_dual_triangles(TriangleComplex& complex,
-                                         const std::vector<Polygon>& faces,
+                                         const std::vector<Triangle>& faces,
                                          const std::vector<SeedTriple>& triples)
 {
   std::vector<Triangle> one_sided;
-  for (const Polygon& p : faces)
-    if (p.size() == 3 && complex.add({p[0], p[1], p[2]}, least_dual_angle) == TriangleComplex::Verdict::one_sided)
-      one_sided.push_back({p[0], p[1], p[2]});
+  for (const Triangle& t : faces)
+    if (complex.add(t, least_dual_angle) == TriangleComplex::Verdict::one_sided) one_sided.push_back(t);
 
   std::vector<SeedTriple> pending = triples;
   std::stable_sort(pending.begin(), pending.end(),

@@ -4,7 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
+#include "planar_edges.h"
 
 namespace pds
 {
@@ -26,73 +27,37 @@ struct TangentPlane
   Vector3d x, y;
 };
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/** \brief True if the open segments ab and cd cross. */
-bool segments_cross(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d)
+/** \brief Grows with the angle of the direction from the x axis, from -2 to 2: enough to sort by, and the same bits on
+ * every machine, which atan2 is not. */
+double pseudo_angle(const Vector2d& direction)
 {
-  const double c_side = cross(b - a, c - a);
-  const double d_side = cross(b - a, d - a);
-  const double a_side = cross(d - c, a - c);
-  const double b_side = cross(d - c, b - c);
-  return c_side * d_side < 0 && a_side * b_side < 0;
+  const double sum = std::abs(direction.x()) + std::abs(direction.y());
+  if (!(sum > 0)) return 0;
+  const double slope = direction.y() / sum;
+  if (direction.x() >= 0) return slope;
+  return direction.y() >= 0 ? 2 - slope : -2 - slope;
 }
 
-class PlanarGraphBuilder
+/** \brief Sorts a row of the graph by the angle about the seed's normal. */
+class RowSorter
 {
  public:
-  explicit PlanarGraphBuilder(const SeedGeometry& seeds) : seeds_(seeds), neighbors_(seeds.position.size()) {}
+  explicit RowSorter(const SeedGeometry& seeds) : seeds_(seeds) {}
 
-  void insert_unless_crossing(std::uint32_t a, std::uint32_t b)
+  void sort(std::uint32_t seed, std::uint32_t* begin, std::uint32_t* end)
   {
-    if (crosses_accepted(a, b)) return;
-    neighbors_[a].push_back(b);
-    neighbors_[b].push_back(a);
+    const TangentPlane plane(seeds_.normal[seed]);
+    by_angle_.clear();
+    for (const std::uint32_t* other = begin; other != end; ++other)
+      by_angle_.emplace_back(pseudo_angle(plane.project(seeds_.position[*other] - seeds_.position[seed])), *other);
+    std::sort(by_angle_.begin(), by_angle_.end());
+    std::transform(by_angle_.begin(), by_angle_.end(), begin, [](const auto& entry) { return entry.second; });
   }
-
-  std::vector<std::vector<std::uint32_t>> neighbors() && { return std::move(neighbors_); }
 
  private:
-  [[nodiscard]] bool crosses_accepted(std::uint32_t a, std::uint32_t b) const
-  {
-    const Vector3d origin = seeds_.position[a];
-    const Vector3d& na = seeds_.normal[a];
-    const Vector3d& nb = seeds_.normal[b];
-    Vector3d normal = na.dot(nb) < 0 ? Vector3d(na - nb) : Vector3d(na + nb);
-    // The plane contains the edge.
-    const Vector3d along = (seeds_.position[b] - origin).normalized();
-    normal -= normal.dot(along) * along;
-    if (normal.norm() < smallest_normal) return false;
-    const TangentPlane plane(normal.normalized());
-    const auto flat = [&](std::uint32_t s) { return plane.project(seeds_.position[s] - origin); };
-    const Vector2d flat_a = flat(a);
-    const Vector2d flat_b = flat(b);
-    // An edge that crosses ab in the surface has an end next to a or b.
-    for (const std::uint32_t end : {a, b})
-      for (const std::uint32_t c : neighbors_[end]) {
-        if (c == a || c == b) continue;
-        for (const std::uint32_t d : neighbors_[c])
-          if (d != a && d != b && segments_cross(flat_a, flat_b, flat(c), flat(d))) return true;
-      }
-    return false;
-  }
-
-  static constexpr double smallest_normal = 1e-6;  // of unit vectors' sum; below it there is no common plane
   const SeedGeometry& seeds_;
-  std::vector<std::vector<std::uint32_t>> neighbors_;
+  std::vector<std::pair<double, std::uint32_t>> by_angle_;
 };
-
-void sort_counter_clockwise(const SeedGeometry& seeds, std::uint32_t seed, std::vector<std::uint32_t>& neighbors)
-{
-  const TangentPlane plane(seeds.normal[seed]);
-  std::vector<std::pair<double, std::uint32_t>> by_angle;
-  for (const std::uint32_t other : neighbors) {
-    const Vector2d direction = plane.project(seeds.position[other] - seeds.position[seed]);
-    by_angle.emplace_back(std::atan2(direction.y(), direction.x()), other);
-  }
-  std::sort(by_angle.begin(), by_angle.end());
-  std::transform(by_angle.begin(), by_angle.end(), neighbors.begin(), [](const auto& entry) { return entry.second; });
-}
 
 }  // namespace
 
@@ -127,19 +92,31 @@ SeedGeometry describe_seeds(const PointCloudView& cloud,
   return seeds;
 }
 
-SeedGraph build_seed_graph(const SeedGeometry& seeds, const std::vector<SeedPair>& pairs)
+SeedGraph build_seed_graph(const SeedGeometry& seeds, const std::vector<SeedPair>& pairs, const Parallel& parallel)
 {
-  std::vector<std::uint32_t> order(pairs.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
-    if (pairs[x].witnesses != pairs[y].witnesses) return pairs[x].witnesses > pairs[y].witnesses;
-    if (pairs[x].path != pairs[y].path) return pairs[x].path < pairs[y].path;
-    return x < y;
+  constexpr std::size_t block = 1024;
+  const std::size_t seed_count = seeds.position.size();
+  const PairGraph all(seed_count, pairs, parallel);
+  const std::vector<std::uint8_t> chosen = choose_planar_edges(seeds, pairs, all, parallel);
+
+  SeedGraph graph;
+  graph.begin.resize(seed_count + 1);
+  parallel.each(seed_count, block, [&](std::size_t s) {
+    graph.begin[s + 1] = static_cast<std::size_t>(
+        std::count_if(all.first(s), all.last(s), [&](const PairGraph::Edge& e) { return chosen[e.pair] != 0; }));
   });
-  PlanarGraphBuilder builder(seeds);
-  for (const std::uint32_t i : order) builder.insert_unless_crossing(pairs[i].a, pairs[i].b);
-  SeedGraph graph{std::move(builder).neighbors()};
-  for (std::uint32_t s = 0; s < graph.neighbors.size(); ++s) sort_counter_clockwise(seeds, s, graph.neighbors[s]);
+  for (std::size_t s = 0; s < seed_count; ++s) graph.begin[s + 1] += graph.begin[s];
+  graph.neighbor.resize(graph.begin.back());
+  parallel.blocks(seed_count, block, [&](std::size_t begin, std::size_t end, unsigned) {
+    RowSorter sorter(seeds);
+    for (std::size_t s = begin; s < end; ++s) {
+      std::uint32_t* const row = graph.neighbor.data() + graph.begin[s];
+      std::uint32_t* place = row;
+      for (const PairGraph::Edge* e = all.first(s); e != all.last(s); ++e)
+        if (chosen[e->pair] != 0) *place++ = e->other;
+      sorter.sort(static_cast<std::uint32_t>(s), row, place);
+    }
+  });
   return graph;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/triangle_complex.h>
 
 namespace pds
@@ -24,9 +25,11 @@ struct Certificate
   std::vector<std::vector<std::uint32_t>> boundary_loops;  ///< in the direction of the faces
 };
 
-/** \brief Certifies a mesh. O(faces log faces).
+/** \brief Certifies a mesh. O(faces).
  * \param triangles with three different vertices each, below \a vertex_count
  */
-[[nodiscard]] Certificate certify(const std::vector<Triangle>& triangles, std::size_t vertex_count);
+[[nodiscard]] Certificate certify(const std::vector<Triangle>& triangles,
+                                  std::size_t vertex_count,
+                                  const Parallel& parallel = Parallel(1));
 
 }  // namespace pds

@@ -22,7 +22,8 @@ struct SeedGeometry
 /** \brief Graph of adjacent seeds that is planar in every tangent plane (paper, flowchart step 7). */
 struct SeedGraph
 {
-  std::vector<std::vector<std::uint32_t>> neighbors;  ///< by seed, counter-clockwise about its normal
+  std::vector<std::size_t> begin;       ///< by seed: its first place in neighbor; size seeds + 1
+  std::vector<std::uint32_t> neighbor;  ///< counter-clockwise about the seed's normal
 };
 
 [[nodiscard]] SeedGeometry describe_seeds(const PointCloudView& cloud,
@@ -34,6 +35,8 @@ struct SeedGraph
 
 /** \brief Joins bordering seeds, best evidence first (witnesses, then shortest path), unless the edge would cross one
  * that is already there in the tangent plane between its ends. O(edges). */
-[[nodiscard]] SeedGraph build_seed_graph(const SeedGeometry& seeds, const std::vector<SeedPair>& pairs);
+[[nodiscard]] SeedGraph build_seed_graph(const SeedGeometry& seeds,
+                                         const std::vector<SeedPair>& pairs,
+                                         const Parallel& parallel);
 
 }  // namespace pds
