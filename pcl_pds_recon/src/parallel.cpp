@@ -2,48 +2,148 @@
 #include <pcl_pds_recon/parallel.h>
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 namespace pds
 {
+namespace
+{
+
+/** \brief One loop: hands out its blocks and keeps the first exception. */
+class Loop
+{
+ public:
+  using Body = std::function<void(std::size_t, std::size_t, unsigned)>;
+
+  Loop(std::size_t count, std::size_t block, const Body& body) : count_(count), block_(block), body_(body) {}
+
+  [[nodiscard]] std::size_t block_count() const { return (count_ + block_ - 1) / block_; }
+
+  /** \brief Runs blocks until none is left. */
+  void work(unsigned worker)
+  {
+    try {
+      for (std::size_t b = next_block_++; b < block_count(); b = next_block_++)
+        body_(b * block_, std::min(count_, (b + 1) * block_), worker);
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(exception_mutex_);
+      if (!first_exception_) first_exception_ = std::current_exception();
+      next_block_ = block_count();
+    }
+  }
+
+  /** \brief To be called when all workers are done. */
+  void rethrow() const
+  {
+    if (first_exception_) std::rethrow_exception(first_exception_);
+  }
+
+ private:
+  std::size_t count_;
+  std::size_t block_;
+  const Body& body_;
+  std::atomic<std::size_t> next_block_{0};
+  std::mutex exception_mutex_;
+  std::exception_ptr first_exception_;
+};
+
+}  // namespace
+
+/** \brief Threads that sleep until there is a loop to help with. */
+class Parallel::Team
+{
+ public:
+  Team() = default;
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+  ~Team()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      dismissed_ = true;
+    }
+    loop_posted_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  /** \brief Runs \a loop with up to \a helpers threads beside this one; false if the team has another to run. */
+  bool run(Loop& loop, unsigned helpers)
+  {
+    if (in_use_.exchange(true, std::memory_order_acquire)) return false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      loop_ = &loop;
+      wanted_ = helpers;
+      joined_ = 0;
+    }
+    enlist(helpers);
+    for (unsigned helper = 0; helper < helpers; ++helper) loop_posted_.notify_one();
+    loop.work(0);
+    std::unique_lock<std::mutex> lock(mutex_);
+    loop_ = nullptr;  // who has not come by now finds nothing left to do
+    helpers_left_.wait(lock, [this] { return working_ == 0; });
+    in_use_.store(false, std::memory_order_release);
+    return true;
+  }
+
+ private:
+  void enlist(unsigned helpers)
+  {
+    try {
+      while (threads_.size() < helpers) threads_.emplace_back([this] { help(); });
+    } catch (...) {
+      // No more threads, or no memory for them: those there are do all the work.
+    }
+  }
+
+  void help()
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    for (;;) {
+      loop_posted_.wait(lock, [this] { return dismissed_ || (loop_ != nullptr && joined_ < wanted_); });
+      if (dismissed_) return;
+      Loop& loop = *loop_;
+      const unsigned worker = ++joined_;
+      ++working_;
+      lock.unlock();
+      loop.work(worker);
+      lock.lock();
+      if (--working_ == 0) helpers_left_.notify_one();
+    }
+  }
+
+  std::atomic<bool> in_use_{false};  ///< a loop runs
+  std::vector<std::thread> threads_;
+
+  std::mutex mutex_;  ///< guards what follows
+  std::condition_variable loop_posted_;
+  std::condition_variable helpers_left_;
+  Loop* loop_ = nullptr;
+  unsigned wanted_ = 0;
+  unsigned joined_ = 0;
+  unsigned working_ = 0;
+  bool dismissed_ = false;
+};
 
 Parallel::Parallel(unsigned threads)
     : threads_(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency()))
 {
+  if (threads_ > 1) team_ = std::make_unique<Team>();
 }
+
+Parallel::~Parallel() = default;
 
 void Parallel::blocks(std::size_t count,
                       std::size_t block,
                       const std::function<void(std::size_t, std::size_t, unsigned)>& body) const
 {
-  const std::size_t block_count = (count + block - 1) / block;
-  const auto workers = static_cast<unsigned>(std::min<std::size_t>(threads_, block_count));
-  std::atomic<std::size_t> next_block{0};
-  std::exception_ptr first_exception;
-  std::mutex exception_mutex;
-  const auto work = [&](unsigned worker) {
-    try {
-      for (std::size_t b = next_block++; b < block_count; b = next_block++)
-        body(b * block, std::min(count, (b + 1) * block), worker);
-    } catch (...) {
-      const std::lock_guard<std::mutex> lock(exception_mutex);
-      if (!first_exception) first_exception = std::current_exception();
-      next_block = block_count;
-    }
-  };
-  std::vector<std::thread> others;
-  try {
-    others.reserve(workers);
-    for (unsigned worker = 1; worker < workers; ++worker) others.emplace_back(work, worker);
-  } catch (...) {
-    // No more threads, or no memory for them: those there are do all the work.
-  }
-  work(0);
-  for (std::thread& other : others) other.join();
-  if (first_exception) std::rethrow_exception(first_exception);
+  Loop loop(count, block, body);
+  const auto workers = static_cast<unsigned>(std::min<std::size_t>(threads_, loop.block_count()));
+  if (workers <= 1 || !team_->run(loop, workers - 1)) loop.work(0);
+  loop.rethrow();
 }
 
 }  // namespace pds
