@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/options.h>
 #include <pcl_pds_recon/ordered_points.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
+
+#include "cloud_frame.h"
+#include "radix_sort.h"
 
 namespace pds
 {
@@ -13,7 +14,9 @@ namespace
 {
 
 constexpr std::size_t max_points = (std::size_t{1} << 31) - 1;  // PCL's indices are 32-bit and signed
-constexpr int morton_bits = 21;                                 // per axis; three fill a 64-bit key
+constexpr int axis_bits = 21;                                   // of a Morton key; three axes fill 63 of its 64 bits
+constexpr std::size_t block = 16384;                            // points per block: some 0.2 ms
+constexpr std::size_t few = 64;  // points of a cell that are ordered by comparison and not along a finer curve
 
 struct KeyedPoint
 {
@@ -33,108 +36,63 @@ std::uint64_t spread_bits(std::uint64_t v)
   return v;
 }
 
-/** \brief Axis-aligned box. */
-struct Bounds
-{
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d high = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
-
-  void extend(const Eigen::Vector3d& p)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  [[nodiscard]] double extent() const { return (high - low).maxCoeff(); }
-};
-
-/** \brief Place of \a p on the Morton curve through the cube on the lower corner of \a bounds. */
-std::uint64_t morton_key(const Eigen::Vector3d& p, const Bounds& bounds)
-{
-  constexpr auto cells = static_cast<double>(1 << morton_bits);
-  const double cells_per_unit = bounds.extent() > 0 ? cells / bounds.extent() : 0.0;
-  std::uint64_t key = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double cell = std::min((p[axis] - bounds.low[axis]) * cells_per_unit, cells - 1);
-    key |= spread_bits(static_cast<std::uint64_t>(cell)) << axis;
-  }
-  return key;
-}
-
-/** \brief Stable least-significant-digit radix sort by key. */
-void sort_by_key(std::vector<KeyedPoint>& points)
-{
-  constexpr int digit_bits = 11;  // 2048 counters stay in the first-level cache
-  constexpr std::size_t digits = std::size_t{1} << digit_bits;
-  std::vector<KeyedPoint> other(points.size());
-  for (int shift = 0; shift < 3 * morton_bits; shift += digit_bits) {
-    std::array<std::size_t, digits> begin{};
-    const auto digit_of = [shift](const KeyedPoint& p) { return (p.key >> shift) & (digits - 1); };
-    for (const KeyedPoint& p : points) ++begin[digit_of(p)];
-    std::size_t sum = 0;
-    for (std::size_t& b : begin) sum += std::exchange(b, sum);
-    for (const KeyedPoint& p : points) other[begin[digit_of(p)]++] = p;
-    points.swap(other);
-  }
-}
-
-/** \brief Component-wise median of the finite points: nearly all coordinates relative to it are small, whatever a few
- * strays do, and single precision is finest near zero. */
-Eigen::Vector3d median_point(const PointCloudView& cloud, std::size_t valid_points)
-{
-  Eigen::Vector3d median;
-  std::vector<double> coordinate;
-  coordinate.reserve(valid_points);
-  for (int axis = 0; axis < 3; ++axis) {
-    coordinate.clear();
-    for (std::size_t i = 0; i < cloud.size; ++i)
-      if (const Eigen::Vector3d p = cloud.positions[i]; p.allFinite()) coordinate.push_back(p[axis]);
-    const auto middle = coordinate.begin() + static_cast<std::ptrdiff_t>(coordinate.size() / 2);
-    std::nth_element(coordinate.begin(), middle, coordinate.end());
-    median[axis] = *middle;
-  }
-  return median;
-}
-
-/** \brief Sets origin and unit of \a points from the finite input points, and counts these. */
-void set_frame(const PointCloudView& cloud, OrderedPoints& points)
-{
-  Bounds bounds;
-  for (std::size_t i = 0; i < cloud.size; ++i) {
-    const Eigen::Vector3d p = cloud.positions[i];
-    if (!p.allFinite()) continue;
-    bounds.extend(p);
-    ++points.valid_points;
-  }
-  if (points.valid_points == 0) return;
-  const double extent = bounds.extent();
-  // The median may lie in a corner of the box: twice the extent, rounded up to a power of two, brings all into reach.
-  if (extent > 0 && std::isfinite(extent)) points.unit = std::ldexp(1.0, std::ilogb(extent) + 2);
-  if (!std::isfinite(extent) || !std::isfinite(points.unit))
-    throw InvalidInput("the extent of the points overflows; scale the coordinates down");
-  points.origin = median_point(cloud, points.valid_points);
-}
-
-class InputOrder
+/** \brief Morton curve through the cube on the lower corner of a box. */
+class MortonCurve
 {
  public:
-  InputOrder(const PointCloudView& cloud, const OrderedPoints& points) : cloud_(cloud), points_(points) {}
-
-  /** \brief The point in the cloud's frame, at the precision it is kept with. */
-  [[nodiscard]] Eigen::Vector3d position(std::uint32_t index) const
+  explicit MortonCurve(const Bounds& bounds)
+      : low_(bounds.low), cells_per_unit_(bounds.extent() > 0 ? cells / bounds.extent() : 0.0)
   {
-    return ((cloud_.positions[index] - points_.origin) / points_.unit).cast<float>().cast<double>();
   }
 
-  /** \brief Lexicographic by position, input coordinates, the caller's record order, index. */
-  bool operator()(const KeyedPoint& a, const KeyedPoint& b) const
+  /** \brief Place of \a p on the curve. */
+  [[nodiscard]] std::uint64_t key(const Eigen::Vector3d& p) const
   {
-    if (const int c = compare(position(a.index), position(b.index)); c != 0) return c < 0;
-    if (const int c = compare(cloud_.positions[a.index], cloud_.positions[b.index]); c != 0) return c < 0;
-    if (cloud_.record_less) {
-      if (cloud_.record_less(a.index, b.index)) return true;
-      if (cloud_.record_less(b.index, a.index)) return false;
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double cell = std::min((p[axis] - low_[axis]) * cells_per_unit_, cells - 1);
+      // By way of a signed number: conversion to an unsigned one of 64 bits takes a branch.
+      key |= spread_bits(static_cast<std::uint64_t>(static_cast<std::int64_t>(cell))) << axis;
     }
-    return a.index < b.index;
+    return key;
+  }
+
+ private:
+  static constexpr auto cells = static_cast<double>(1 << axis_bits);
+  Eigen::Vector3d low_;
+  double cells_per_unit_;
+};
+
+/** \brief The points in their own frame, and the order of those that the curve does not tell apart. */
+class FramedCloud
+{
+ public:
+  FramedCloud(const PointCloudView& cloud, const OrderedPoints& points)
+      : cloud_(cloud), origin_(points.origin), unit_(points.unit)
+  {
+  }
+
+  [[nodiscard]] bool finite(std::uint32_t index) const { return cloud_.positions[index].allFinite(); }
+
+  /** \brief A point of the cloud in the frame, at the precision it is kept with.
+   *
+   * Not inlined: GCC 12 leaves out the rounding where it vectorises a conversion to float and back to double. */
+  [[nodiscard, gnu::noinline]] Eigen::Vector3f position(const Eigen::Vector3d& p) const
+  {
+    return ((p - origin_) / unit_).cast<float>();
+  }
+  [[nodiscard]] Eigen::Vector3f position(std::uint32_t index) const { return position(cloud_.positions[index]); }
+
+  /** \brief Lexicographic by position, input coordinates, the caller's record order, index. */
+  [[nodiscard]] bool before(std::uint32_t a, std::uint32_t b) const
+  {
+    if (const int c = compare(position(a), position(b)); c != 0) return c < 0;
+    if (const int c = compare(cloud_.positions[a], cloud_.positions[b]); c != 0) return c < 0;
+    if (cloud_.record_less) {
+      if (cloud_.record_less(a, b)) return true;
+      if (cloud_.record_less(b, a)) return false;
+    }
+    return a < b;
   }
 
  private:
@@ -147,32 +105,161 @@ class InputOrder
   }
 
   const PointCloudView& cloud_;
-  const OrderedPoints& points_;
+  Eigen::Vector3d origin_;
+  double unit_;
 };
 
-/** \brief Puts points of equal key, begin ... end, in order: few by comparison, many along a finer curve through their
- * own box. The latter happens where a stray point far away makes the cells of the first curve huge. */
-void order_cell(const InputOrder& order, std::vector<KeyedPoint>& keyed, std::size_t begin, std::size_t end)
+/** \brief Sorts points along the curve; those that share a cell of it by FramedCloud::before or, if they are many,
+ * along a finer curve through their own box. The latter happens where a stray point far away makes cells huge. */
+class CurveSort
 {
-  constexpr std::size_t few = 64;
-  const auto first = keyed.begin() + static_cast<std::ptrdiff_t>(begin);
-  const auto last = keyed.begin() + static_cast<std::ptrdiff_t>(end);
-  Bounds bounds;
-  for (auto p = first; p != last; ++p) bounds.extend(order.position(p->index));
-  if (end - begin <= few || bounds.extent() <= 0) {
-    std::sort(first, last, order);
-    return;
+ public:
+  explicit CurveSort(const FramedCloud& cloud) : cloud_(cloud) {}
+
+  /** \brief Sorts points that agree in all bits of their keys but the lowest \a open_bits.
+   * \param other an array as large
+   * \return which of the two arrays holds the sorted points
+   */
+  KeyedPoint* sort(
+      KeyedPoint* points, KeyedPoint* other, std::size_t count, int open_bits, const Parallel& parallel) const
+  {
+    const auto less = [this](const KeyedPoint& a, const KeyedPoint& b) {
+      return a.key != b.key ? a.key < b.key : cloud_.before(a.index, b.index);
+    };
+    if (count <= few || (open_bits == 0 && !enter_cell(points, count, parallel))) {
+      std::sort(points, points + count, less);
+      return points;
+    }
+    if (open_bits == 0) open_bits = 3 * axis_bits;
+    // As many bits as tell most points of a surface apart; the rest is settled run by run.
+    const int bits = std::min(open_bits, std::min(3 * ((std::ilogb(count) + 2) / 2), most_radix_bits));
+    open_bits -= bits;
+    KeyedPoint* sorted = radix_sort(
+        points, other, count, {open_bits, bits}, [](const KeyedPoint& p) { return p.key; }, parallel);
+    sort_runs(sorted, sorted == points ? other : points, count, open_bits, parallel);
+    return sorted;
   }
-  std::vector<KeyedPoint> cell(first, last);
-  for (KeyedPoint& p : cell) p.key = morton_key(order.position(p.index), bounds);
-  sort_by_key(cell);
-  std::copy(cell.begin(), cell.end(), first);
-  for (std::size_t i = begin; i < end;) {
-    std::size_t next = i + 1;
-    while (next < end && keyed[next].key == keyed[i].key) ++next;
-    if (next - i > 1) order_cell(order, keyed, i, next);
-    i = next;
+
+ private:
+  static constexpr int most_radix_bits = 33;  // three passes
+
+  /** \brief Gives points of one cell keys on a curve of their own; false if they all are in one place. */
+  bool enter_cell(KeyedPoint* points, std::size_t count, const Parallel& parallel) const
+  {
+    const auto bounds = parallel.sum(count, block, [&](std::size_t begin, std::size_t end) {
+      Bounds part;
+      for (std::size_t i = begin; i < end; ++i) part.extend(cloud_.position(points[i].index).cast<double>());
+      return part;
+    });
+    if (bounds.extent() <= 0) return false;
+    const MortonCurve curve(bounds);
+    parallel.each(count, block,
+                  [&](std::size_t i) { points[i].key = curve.key(cloud_.position(points[i].index).cast<double>()); });
+    return true;
   }
+
+  /** \brief Sorts each run of points that agree in all but \a open_bits bits. */
+  void sort_runs(
+      KeyedPoint* points, KeyedPoint* other, std::size_t count, int open_bits, const Parallel& parallel) const
+  {
+    const auto prefix = [=](std::size_t i) { return points[i].key >> open_bits; };
+    const auto end_of_run = [&](std::size_t i, std::size_t limit) {
+      const std::uint64_t own = prefix(i++);
+      while (i < limit && prefix(i) == own) ++i;
+      return i;
+    };
+    const auto sort_run = [&](std::size_t begin, std::size_t end, const Parallel& workers) {
+      const KeyedPoint* sorted = sort(points + begin, other + begin, end - begin, open_bits, workers);
+      if (sorted != points + begin) std::copy(sorted, sorted + (end - begin), points + begin);
+    };
+    // A block has the runs that begin in it. Neighbours sort theirs at the same time, so this is settled before.
+    std::vector<std::size_t> begin_of_block{0};
+    for (std::size_t i = block; i < count; i += block)
+      begin_of_block.push_back(i <= begin_of_block.back() ? begin_of_block.back() : end_of_run(i - 1, count));
+    begin_of_block.push_back(count);
+
+    std::vector<std::size_t> long_run(begin_of_block.size() - 1, count);  // a block's last run, if left to all workers
+    parallel.each(long_run.size(), 1, [&](std::size_t b) {
+      for (std::size_t begin = begin_of_block[b]; begin < begin_of_block[b + 1];) {
+        const std::size_t end = end_of_run(begin, begin_of_block[b + 1]);
+        if (end - begin > block)
+          long_run[b] = begin;
+        else if (end - begin > 1)
+          sort_run(begin, end, alone_);
+        begin = end;
+      }
+    });
+    for (std::size_t b = 0; b < long_run.size(); ++b)
+      if (long_run[b] < count) sort_run(long_run[b], begin_of_block[b + 1], parallel);
+  }
+
+  const FramedCloud& cloud_;
+  Parallel alone_{1};
+};
+
+/** \brief Sets origin and unit of \a points, and counts the finite ones.
+ * \return box of these in the input's coordinates
+ */
+Bounds set_frame(const PointCloudView& cloud, OrderedPoints& points, const Parallel& parallel)
+{
+  const CloudFrame frame = measure_frame(cloud, parallel);
+  points.valid_points = frame.finite_points;
+  if (frame.finite_points == 0) return frame.bounds;
+  const double extent = frame.bounds.extent();
+  // The median may lie in a corner of the box: twice the extent, rounded up to a power of two, brings all into reach.
+  if (extent > 0 && std::isfinite(extent)) points.unit = std::ldexp(1.0, std::ilogb(extent) + 2);
+  if (!std::isfinite(extent) || !std::isfinite(points.unit))
+    throw InvalidInput("the extent of the points overflows; scale the coordinates down");
+  points.origin = frame.median;
+  return frame.bounds;
+}
+
+/** \brief For each block of input points, how many finite ones come before it. */
+std::vector<std::size_t> finite_points_before_blocks(const PointCloudView& cloud,
+                                                     bool all_finite,
+                                                     const Parallel& parallel)
+{
+  std::vector<std::size_t> before((cloud.size + block - 1) / block);
+  parallel.blocks(cloud.size, block, [&](std::size_t begin, std::size_t end, unsigned) {
+    std::size_t count = end - begin;
+    for (std::size_t i = begin; i < end && !all_finite; ++i) count -= cloud.positions[i].allFinite() ? 0U : 1U;
+    before[begin / block] = count;
+  });
+  std::size_t sum = 0;
+  for (std::size_t& b : before) sum += std::exchange(b, sum);
+  return before;
+}
+
+/** \brief Gives places to sorted points, coincident ones the same. */
+void assign_ranks(const FramedCloud& cloud, const KeyedPoint* sorted, OrderedPoints& points, const Parallel& parallel)
+{
+  // Points in one place have one key, so only equal keys are worth a look at the positions.
+  const auto new_place = [&](std::size_t i) {
+    return i == 0 || sorted[i].key != sorted[i - 1].key ||
+           cloud.position(sorted[i].index) != cloud.position(sorted[i - 1].index);
+  };
+  std::vector<std::size_t> places_before((points.valid_points + block - 1) / block);
+  parallel.blocks(points.valid_points, block, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) places_before[begin / block] += new_place(i) ? 1U : 0U;
+  });
+  std::size_t places = 0;
+  for (std::size_t& before : places_before) places += std::exchange(before, places);
+
+  points.merged_points = points.valid_points - places;
+  points.position.resize(places);
+  points.input_index.resize(places);
+  parallel.blocks(points.valid_points, block, [&](std::size_t begin, std::size_t end, unsigned) {
+    std::size_t next = places_before[begin / block];
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t index = sorted[i].index;
+      if (new_place(i)) {
+        points.position[next] = cloud.position(index);
+        points.input_index[next] = index;
+        ++next;
+      }
+      points.rank_of_input[index] = static_cast<std::uint32_t>(next - 1);
+    }
+  });
 }
 
 }  // namespace
@@ -181,39 +268,29 @@ OrderedPoints order_points(const PointCloudView& cloud, const Parallel& parallel
 {
   if (cloud.size > max_points) throw InvalidInput("more than 2^31 - 1 points; split the cloud into tiles");
   OrderedPoints points;
-  set_frame(cloud, points);
-  const InputOrder order(cloud, points);
-
-  std::vector<KeyedPoint> keyed;
-  keyed.reserve(points.valid_points);
-  for (std::uint32_t i = 0; i < cloud.size; ++i)
-    if (cloud.positions[i].allFinite()) keyed.push_back({0, i});
-  Bounds bounds;
-  for (const KeyedPoint& p : keyed) bounds.extend(order.position(p.index));
-  constexpr std::size_t block = 16384;
-  parallel.each(keyed.size(), block,
-                [&](std::size_t i) { keyed[i].key = morton_key(order.position(keyed[i].index), bounds); });
-  sort_by_key(keyed);
-
+  const Bounds input_bounds = set_frame(cloud, points, parallel);
   points.rank_of_input.assign(cloud.size, no_rank);
-  points.position.reserve(keyed.size());
-  points.input_index.reserve(keyed.size());
-  for (std::size_t begin = 0; begin < keyed.size();) {
-    std::size_t end = begin + 1;
-    while (end < keyed.size() && keyed[end].key == keyed[begin].key) ++end;
-    if (end - begin > 1) order_cell(order, keyed, begin, end);
+  if (points.valid_points == 0) return points;
+
+  const FramedCloud framed(cloud, points);
+  Bounds bounds;  // rounding keeps the order of coordinates, so the box of the rounded points is the rounded box
+  for (const Eigen::Vector3d& corner : {input_bounds.low, input_bounds.high})
+    bounds.extend(framed.position(corner).cast<double>());
+  const MortonCurve curve(bounds);
+  const auto keyed = make_raw_array<KeyedPoint>(points.valid_points);
+  const auto other = make_raw_array<KeyedPoint>(points.valid_points);
+  const std::vector<std::size_t> finite_before =
+      finite_points_before_blocks(cloud, points.valid_points == cloud.size, parallel);
+  parallel.blocks(cloud.size, block, [&](std::size_t begin, std::size_t end, unsigned) {
+    KeyedPoint* next = keyed.get() + finite_before[begin / block];
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t index = keyed[i].index;
-      const Eigen::Vector3f position = order.position(index).cast<float>();
-      if (i == begin || position != points.position.back()) {
-        points.input_index.push_back(index);
-        points.position.push_back(position);
-      }
-      points.rank_of_input[index] = static_cast<std::uint32_t>(points.input_index.size() - 1);
+      const Eigen::Vector3d p = cloud.positions[i];
+      if (p.allFinite()) *next++ = {curve.key(framed.position(p).cast<double>()), static_cast<std::uint32_t>(i)};
     }
-    begin = end;
-  }
-  points.merged_points = points.valid_points - points.size();
+  });
+  const KeyedPoint* sorted =
+      CurveSort(framed).sort(keyed.get(), other.get(), points.valid_points, 3 * axis_bits, parallel);
+  assign_ranks(framed, sorted, points, parallel);
   return points;
 }
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pds
+{
+namespace
+{
+
+constexpr std::size_t block = 16384;        // points per block: some 0.1 ms
+constexpr std::size_t sample_size = 4096;   // points that the median is guessed from ...
+constexpr std::size_t sample_margin = 128;  // ... and ranks on either side of it: four standard deviations
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/** \brief For each axis an interval in which the median is looked for. */
+struct Brackets
+{
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(-infinity);
+  Eigen::Vector3d high = Eigen::Vector3d::Constant(infinity);
+};
+
+/** \brief Narrow brackets around the median of a sample, for clouds that are much larger. A bad guess costs time only.
+ */
+Brackets guess_brackets(const PointCloudView& cloud)
+{
+  Brackets brackets;
+  if (cloud.size <= 2 * sample_size) return brackets;
+  std::vector<Eigen::Vector3d> sample;
+  for (std::uint32_t i = 0; i < sample_size; ++i) {
+    // Multiples of the golden ratio are spread evenly, without a period that a scan's lines could have.
+    const std::uint64_t fraction = i * 2654435769U;
+    const Eigen::Vector3d p = cloud.positions[(fraction * cloud.size) >> 32];
+    if (p.allFinite()) sample.push_back(p);
+  }
+  if (sample.size() <= 2 * sample_margin) return brackets;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto below = [axis](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[axis] < b[axis]; };
+    const auto select = [&](std::size_t rank) {
+      const auto place = sample.begin() + static_cast<std::ptrdiff_t>(rank);
+      std::nth_element(sample.begin(), place, sample.end(), below);
+      return (*place)[axis];
+    };
+    brackets.low[axis] = select(sample.size() / 2 - sample_margin);
+    brackets.high[axis] = select(sample.size() / 2 + sample_margin);
+  }
+  return brackets;
+}
+
+/** \brief What one pass over points finds. */
+struct Survey
+{
+  std::size_t finite = 0;
+  Bounds bounds;
+  std::array<std::size_t, 3> below{};            ///< coordinates below their bracket
+  std::array<std::vector<double>, 3> bracketed;  ///< those in it, in any order
+
+  Survey& operator+=(const Survey& other)
+  {
+    finite += other.finite;
+    bounds += other.bounds;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      below[axis] += other.below[axis];
+      bracketed[axis].insert(bracketed[axis].end(), other.bracketed[axis].begin(), other.bracketed[axis].end());
+    }
+    return *this;
+  }
+};
+
+Survey survey(const PointCloudView& cloud, const Brackets& brackets, const Parallel& parallel)
+{
+  return parallel.sum(cloud.size, block, [&](std::size_t begin, std::size_t end) {
+    Survey found;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d p = cloud.positions[i];
+      if (!p.allFinite()) continue;
+      ++found.finite;
+      found.bounds.extend(p);
+      for (int axis = 0; axis < 3; ++axis) {
+        found.below[static_cast<std::size_t>(axis)] += p[axis] < brackets.low[axis] ? 1U : 0U;
+        if (p[axis] >= brackets.low[axis] && p[axis] <= brackets.high[axis])
+          found.bracketed[static_cast<std::size_t>(axis)].push_back(p[axis]);
+      }
+    }
+    return found;
+  });
+}
+
+}  // namespace
+
+CloudFrame measure_frame(const PointCloudView& cloud, const Parallel& parallel)
+{
+  Brackets brackets = guess_brackets(cloud);
+  Survey found = survey(cloud, brackets, parallel);
+  const std::size_t middle = found.finite / 2;
+  const auto missed = [&](std::size_t axis) {
+    return middle < found.below[axis] || middle >= found.below[axis] + found.bracketed[axis].size();
+  };
+  if (found.finite > 0 && (missed(0) || missed(1) || missed(2))) found = survey(cloud, Brackets(), parallel);
+
+  CloudFrame frame{found.finite, found.bounds};
+  for (std::size_t axis = 0; axis < 3 && found.finite > 0; ++axis) {
+    std::vector<double>& values = found.bracketed[axis];
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(middle - found.below[axis]);
+    std::nth_element(values.begin(), place, values.end());
+    frame.median[static_cast<int>(axis)] = *place;
+  }
+  return frame;
+}
+
+}  // namespace pds
