@@ -73,18 +73,28 @@ class NeighborRange
  */
 struct NeighborGraph
 {
-  std::size_t stride = 0;                  ///< room for own neighbours per point
-  std::vector<std::uint32_t> own;          ///< own nearest neighbours, by ascending distance, at rank * stride
-  std::vector<std::uint16_t> own_count;    ///< how many these are
-  std::vector<std::size_t> reverse_begin;  ///< size n + 1
-  std::vector<std::uint32_t> reverse;      ///< points that list this one without being listed, by ascending rank
-  double sampling_interval = 0;            ///< mean distance to the own neighbours, in units of position
+  std::size_t stride = 0;                    ///< room for own neighbours per point
+  std::vector<std::uint32_t> own;            ///< own nearest neighbours, by ascending distance, at rank * stride
+  std::vector<std::uint16_t> own_count;      ///< how many these are; empty if all rows are full
+  std::vector<std::uint32_t> reverse_begin;  ///< size n + 1: beginnings of rows of reverse, from reverse_base on
+  std::vector<std::size_t> reverse_base;     ///< for every 2^base_bits points: where the first one's row begins
+  std::vector<std::uint32_t> reverse;        ///< points that list this one without being listed, by ascending rank
+  double sampling_interval = 0;              ///< mean distance to the own neighbours, in units of position
 
-  [[nodiscard]] std::size_t size() const { return own_count.size(); }
+  /** Rows of so few points have fewer than 2^32 entries; offsets of all rows would take 8 bytes a point. */
+  static constexpr int base_bits = 16;
+
+  [[nodiscard]] std::size_t size() const { return reverse_begin.empty() ? 0 : reverse_begin.size() - 1; }
   /** \brief The k nearest neighbours of \a i (fewer in a smaller cloud), nearest first. */
   [[nodiscard]] NeighborSpan nearest(std::size_t i) const
   {
-    return {own.data() + i * stride, own.data() + i * stride + own_count[i]};
+    const std::uint32_t* row = own.data() + i * stride;
+    return {row, row + (own_count.empty() ? stride : own_count[i])};
+  }
+  /** \brief Points that count \a i among their nearest without being among those of \a i, by ascending rank. */
+  [[nodiscard]] NeighborSpan listed_by(std::size_t i) const
+  {
+    return {reverse.data() + begin_of_reverse(i), reverse.data() + begin_of_reverse(i + 1)};
   }
   /** \brief The points that count \a i among their nearest without being among its own. */
   [[nodiscard]] NeighborSpan reverse_neighbors(std::size_t i) const
@@ -92,9 +102,12 @@ struct NeighborGraph
     return {reverse.data() + reverse_begin[i], reverse.data() + reverse_begin[i + 1]};
   }
   /** \brief All points joined to \a i by an edge. */
-  [[nodiscard]] NeighborRange neighbors(std::size_t i) const
+  [[nodiscard]] NeighborRange neighbors(std::size_t i) const { return {nearest(i), listed_by(i)}; }
+
+ private:
+  [[nodiscard]] std::size_t begin_of_reverse(std::size_t i) const
   {
-    return {nearest(i), {reverse.data() + reverse_begin[i], reverse.data() + reverse_begin[i + 1]}};
+    return reverse_base[i >> base_bits] + reverse_begin[i];
   }
 };
 
