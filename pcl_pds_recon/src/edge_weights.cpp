@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/edge_weights.h>
-#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "thinnest_direction.h"
 
 namespace pds
 {
@@ -16,41 +19,68 @@ constexpr int fixed_point_steps = 20;
 constexpr int weight_smoothing = 3;   // rounds of averaging: a metric that jumps within a disk tears the mesh
 constexpr int feature_smoothing = 1;  // wider than noise, narrow enough to tell a crease from its flanks
 
+/** \brief Covariance of a point and its own neighbours, up to a positive factor.
+ *
+ * In single precision, relative to the point itself and to its farthest neighbour: nothing cancels, overflows or
+ * vanishes.
+ */
 Eigen::Matrix3d neighborhood_covariance(const OrderedPoints& points, const NeighborGraph& graph, std::size_t i)
 {
-  // Relative to the point itself: what is left has no cancellation.
   const NeighborSpan nearest = graph.nearest(i);
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  const Eigen::Vector3f& center = points.position[i];
+  const float reach = (points.position[nearest.last[-1]] - center).cwiseAbs().maxCoeff();
+  const float scale = 1.0F / reach;
+  Eigen::Array4f mean = Eigen::Array4f::Zero();
+  Eigen::Array4f squares = Eigen::Array4f::Zero();   // xx yy zz
+  Eigen::Array4f products = Eigen::Array4f::Zero();  // xy yz zx
   for (const std::uint32_t j : nearest) {
-    const Eigen::Vector3d d = (points.position[j] - points.position[i]).cast<double>();
-    mean += d;
-    moment += d * d.transpose();
+    const Eigen::Vector3f d = (points.position[j] - center) * scale;
+    const Eigen::Array4f xyz(d.x(), d.y(), d.z(), 0.0F);
+    const Eigen::Array4f yzx(d.y(), d.z(), d.x(), 0.0F);
+    mean += xyz;
+    squares += xyz * xyz;
+    products += xyz * yzx;
   }
-  const auto count = static_cast<double>(nearest.size() + 1);
-  mean /= count;
-  return moment / count - mean * mean.transpose();
+  const auto share = static_cast<float>(1.0 / static_cast<double>(nearest.size() + 1));
+  mean *= share;
+  const Eigen::Array4f mean_yzx(mean[1], mean[2], mean[0], 0.0F);
+  squares = squares * share - mean * mean;
+  products = products * share - mean * mean_yzx;
+  Eigen::Matrix3f covariance;
+  covariance << squares[0], products[0], products[2],  //
+      products[0], squares[1], products[1],            //
+      products[2], products[1], squares[2];
+  return covariance.cast<double>();
 }
 
-std::vector<float> smoothed(std::vector<float> field, int rounds, const NeighborGraph& graph, const Parallel& parallel)
+/** \brief A field of the points with its mean. */
+struct Field
 {
+  std::vector<float> value;
+  double mean = 0;
+};
+
+/** \brief The field, averaged over each point and its own neighbours so many times. */
+Field smoothed(const std::vector<float>& field, int rounds, const NeighborGraph& graph, const Parallel& parallel)
+{
+  Field smooth{field, 0.0};
   std::vector<float> next(field.size());
   for (int round = 0; round < rounds; ++round) {
-    parallel.each(field.size(), block, [&](std::size_t i) {
-      float sum = field[i];
-      for (const std::uint32_t j : graph.nearest(i)) sum += field[j];
-      next[i] = sum / static_cast<float>(graph.nearest(i).size() + 1);
+    const double sum = parallel.sum(field.size(), block, [&](std::size_t begin, std::size_t end) {
+      double part = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const NeighborSpan nearest = graph.nearest(i);
+        float around = smooth.value[i];
+        for (const std::uint32_t j : nearest) around += smooth.value[j];
+        next[i] = around / static_cast<float>(nearest.size() + 1);
+        part += static_cast<double>(next[i]);
+      }
+      return part;
     });
-    field.swap(next);
+    smooth.value.swap(next);
+    if (!field.empty()) smooth.mean = sum / static_cast<double>(field.size());
   }
-  return field;
-}
-
-double mean(const std::vector<float>& values)
-{
-  double sum = 0;
-  for (const float v : values) sum += static_cast<double>(v);
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+  return smooth;
 }
 
 /** \brief The greatest weight that leaves disks of smallest_disk intervals, at least 1.
@@ -58,14 +88,17 @@ double mean(const std::vector<float>& values)
  * If the radius goes with the mean weight, lowering the bound lowers that mean; the fixed point is found by iteration,
  * which converges because each step moves the mean less than the bound.
  */
-double largest_weight(const std::vector<float>& weights, const WeightLimits& limits)
+double largest_weight(const std::vector<float>& weights, const WeightLimits& limits, const Parallel& parallel)
 {
   const double room = limits.disk_intervals / smallest_disk;
   if (!limits.at_mean_weight) return std::max(1.0, room);
   double bound = std::exp(largest_exponent);
   for (int step = 0; step < fixed_point_steps; ++step) {
-    double sum = 0;
-    for (const float w : weights) sum += std::min(static_cast<double>(w), bound);
+    const double sum = parallel.sum(weights.size(), block, [&](std::size_t begin, std::size_t end) {
+      double part = 0;
+      for (std::size_t i = begin; i < end; ++i) part += std::min(static_cast<double>(weights[i]), bound);
+      return part;
+    });
     bound = std::max(1.0, room * sum / static_cast<double>(weights.size()));
   }
   return bound;
@@ -80,11 +113,10 @@ SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGrap
   surface.curvature.assign(graph.size(), 0.0F);
   parallel.each(graph.size(), block, [&](std::size_t i) {
     if (graph.nearest(i).size() < 2) return;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(neighborhood_covariance(points, graph, i));
-    const Eigen::Vector3d eigenvalues = solver.eigenvalues().cwiseMax(0.0);
-    surface.normal[i] = solver.eigenvectors().col(0).cast<float>();
-    if (eigenvalues.sum() > 0) surface.curvature[i] = static_cast<float>(std::sqrt(eigenvalues[0] / eigenvalues.sum()));
+    const Eigen::Matrix3d covariance = neighborhood_covariance(points, graph, i);
+    const ThinnestDirection thinnest = find_thinnest_direction(covariance);
+    surface.normal[i] = thinnest.direction.cast<float>();
+    surface.curvature[i] = static_cast<float>(std::sqrt(thinnest.variance / covariance.trace()));
   });
   return surface;
 }
@@ -94,12 +126,13 @@ std::vector<std::uint8_t> feature_ranks(const SurfaceEstimate& surface,
                                         const Parallel& parallel)
 {
   constexpr float highest = 15.0F;
-  const std::vector<float> curvature = smoothed(surface.curvature, feature_smoothing, graph, parallel);
-  const auto step = static_cast<float>(0.5 * mean(curvature));
-  std::vector<std::uint8_t> ranks(curvature.size());
+  const Field curvature = smoothed(surface.curvature, feature_smoothing, graph, parallel);
+  const auto step = static_cast<float>(0.5 * curvature.mean);
+  std::vector<std::uint8_t> ranks(curvature.value.size());
   if (step > 0)
-    parallel.each(ranks.size(), block,
-                  [&](std::size_t i) { ranks[i] = static_cast<std::uint8_t>(std::min(curvature[i] / step, highest)); });
+    parallel.each(ranks.size(), block, [&](std::size_t i) {
+      ranks[i] = static_cast<std::uint8_t>(std::min(curvature.value[i] / step, highest));
+    });
   return ranks;
 }
 
@@ -110,26 +143,36 @@ EdgeWeights curvature_weights(const SurfaceEstimate& surface,
                               const Parallel& parallel)
 {
   if (coefficient == 0) return {};
-  std::vector<float> weight = smoothed(surface.curvature, weight_smoothing, graph, parallel);
-  const double mean_curvature = mean(weight);
-  if (mean_curvature <= 0) return {};
-  for (float& w : weight)
-    w = static_cast<float>(std::exp(std::min(coefficient * static_cast<double>(w) / mean_curvature, largest_exponent)));
-  const auto largest = static_cast<float>(largest_weight(weight, limits));
-  for (float& w : weight) w = std::min(w, largest);
+  Field curvature = smoothed(surface.curvature, weight_smoothing, graph, parallel);
+  if (curvature.mean <= 0) return {};
+  std::vector<float> weight = std::move(curvature.value);
+  parallel.each(weight.size(), block, [&](std::size_t i) {
+    const double x = static_cast<double>(weight[i]) / curvature.mean;
+    weight[i] = static_cast<float>(std::exp(std::min(coefficient * x, largest_exponent)));
+  });
+  const auto largest = static_cast<float>(largest_weight(weight, limits, parallel));
+  parallel.each(weight.size(), block, [&](std::size_t i) { weight[i] = std::min(weight[i], largest); });
   return EdgeWeights(std::move(weight));
 }
 
-double mean_weighted_interval(const OrderedPoints& points, const NeighborGraph& graph, const EdgeWeights& weights)
+double mean_weighted_interval(const OrderedPoints& points,
+                              const NeighborGraph& graph,
+                              const EdgeWeights& weights,
+                              const Parallel& parallel)
 {
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    for (const std::uint32_t j : graph.nearest(i)) {
-      const float length = (points.position[i] - points.position[j]).norm();
-      sum += static_cast<double>(length * 0.5F * (weights.at(i) + weights.at(j)));
-      ++count;
-    }
+  if (weights.uniform()) return graph.sampling_interval;
+  std::vector<std::size_t> counts((graph.size() + block - 1) / block);
+  const double sum = parallel.sum(graph.size(), block, [&](std::size_t begin, std::size_t end) {
+    double part = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      for (const std::uint32_t j : graph.nearest(i)) {
+        const float length = (points.position[i] - points.position[j]).norm();
+        part += static_cast<double>(length * 0.5F * (weights.at(i) + weights.at(j)));
+        ++counts[begin / block];
+      }
+    return part;
+  });
+  const std::size_t count = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 

@@ -131,10 +131,8 @@ class Parallel::Team
 Parallel::Parallel(unsigned threads)
     : threads_(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency()))
 {
-  if (threads_ > 1) team_ = std::make_unique<Team>();
+  if (threads_ > 1) team_ = std::make_shared<Team>();
 }
-
-Parallel::~Parallel() = default;
 
 void Parallel::blocks(std::size_t count,
                       std::size_t block,

@@ -71,7 +71,7 @@ Metric choose_metric(const OrderedPoints& points,
   const bool absolute = options.radius > 0;
   const WeightLimits limits{absolute ? options.radius / points.unit / interval : options.radius_factor, !absolute};
   metric.weights = curvature_weights(surface, graph, options.adaptive, limits, parallel);
-  const double weighted = mean_weighted_interval(points, graph, metric.weights);
+  const double weighted = mean_weighted_interval(points, graph, metric.weights, parallel);
   const double radius = absolute ? options.radius / points.unit : options.radius_factor * weighted;
   metric.radius = std::min(radius, largest_radius);
   report.sampling_interval = weighted * points.unit;

@@ -73,9 +73,11 @@ struct WeightLimits
                                             const WeightLimits& limits,
                                             const Parallel& parallel);
 
-/** \brief Mean over all points of the weighted distances to their own neighbours, in units of position. */
+/** \brief Mean over all points of the weighted distances to their own neighbours, in units of position. O(n k); of the
+ * uniform metric the graph knows it. */
 [[nodiscard]] double mean_weighted_interval(const OrderedPoints& points,
                                             const NeighborGraph& graph,
-                                            const EdgeWeights& weights);
+                                            const EdgeWeights& weights,
+                                            const Parallel& parallel);
 
 }  // namespace pds

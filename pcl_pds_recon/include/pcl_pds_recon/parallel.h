@@ -13,16 +13,13 @@ namespace pds
  *
  * Which worker runs a block is left to chance, so a loop body may write only to what its indices own; every use in the
  * library keeps to that, which is why results do not depend on the number of threads. The threads are made by the first
- * loop that has work for them and sleep between loops.
+ * loop that has work for them and sleep between loops; copies share them.
  */
 class Parallel
 {
  public:
   /** \param threads workers; 0 = all cores */
   explicit Parallel(unsigned threads = 0);
-  ~Parallel();
-  Parallel(const Parallel&) = delete;
-  Parallel& operator=(const Parallel&) = delete;
 
   /** \brief Number of workers; a block's worker number is below it. */
   [[nodiscard]] unsigned threads() const { return threads_; }
@@ -65,7 +62,7 @@ class Parallel
   class Team;
 
   unsigned threads_;
-  std::unique_ptr<Team> team_;  ///< the workers beside the calling thread; none if there is only one
+  std::shared_ptr<Team> team_;  ///< the workers beside the calling thread, shared by copies; none if there is only one
 };
 
 }  // namespace pds
