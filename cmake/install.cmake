@@ -6,6 +6,11 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/pcl_pds_recon")
 set(installed_libraries pcl_pds_recon_core pcl_pds_recon)
 if(TARGET pcl_pds_recon_compare)
   list(APPEND installed_libraries pcl_pds_recon_compare)
+  get_target_property(compare_type pcl_pds_recon_compare TYPE)
+endif()
+set(compare_is_static OFF)
+if(compare_type STREQUAL "STATIC_LIBRARY")
+  set(compare_is_static ON)
 endif()
 install(
   TARGETS ${installed_libraries}
