@@ -5,11 +5,13 @@
 namespace pds
 {
 
-void OrientationForest::push_back()
+void OrientationForest::resize(std::size_t count)
 {
-  parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-  flip_.push_back(0);
-  size_.push_back(1);
+  const std::size_t before = parent_.size();
+  parent_.resize(count);
+  flip_.resize(count, 0);
+  size_.resize(count, 1);
+  for (std::size_t face = before; face < count; ++face) parent_[face] = static_cast<std::uint32_t>(face);
 }
 
 void OrientationForest::undo(std::size_t count)
@@ -20,9 +22,7 @@ void OrientationForest::undo(std::size_t count)
     flip_[link->face] = 0;
   }
   undo_.clear();
-  parent_.resize(count);
-  flip_.resize(count);
-  size_.resize(count);
+  resize(count);
 }
 
 OrientationForest::Root OrientationForest::root_of(std::uint32_t face) const

@@ -16,7 +16,7 @@ std::vector<Part> parallel_parts(std::size_t count, std::size_t block, const Par
 {
   std::vector<Part> parts((count + block - 1) / block);
   parallel.blocks(count, block, [&](std::size_t begin, std::size_t end, unsigned) {
-    Part part;  // written here and moved: parts side by side would share cache lines
+    Part part{};  // written here and moved: parts side by side would share cache lines
     body(begin, end, part);
     parts[begin / block] = std::move(part);
   });

@@ -2,6 +2,7 @@
 #include "planar_edges.h"
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstring>
 #include "bucket_sort.h"
 #include "parallel_parts.h"
 
@@ -14,41 +15,35 @@ using Eigen::Vector3d;
 
 constexpr std::size_t pairs_per_block = 1024;
 
-/** \brief Best evidence first: witnesses, then path, then number. A total order. */
-class BetterPair
+std::uint64_t rank_of(const SeedPair& p)
 {
- public:
-  explicit BetterPair(const std::vector<SeedPair>& pairs) : pairs_(pairs) {}
-  [[nodiscard]] bool operator()(std::uint32_t x, std::uint32_t y) const
-  {
-    if (pairs_[x].witnesses != pairs_[y].witnesses) return pairs_[x].witnesses > pairs_[y].witnesses;
-    if (pairs_[x].path != pairs_[y].path) return pairs_[x].path < pairs_[y].path;
-    return x < y;
-  }
-
- private:
-  const std::vector<SeedPair>& pairs_;
-};
+  std::uint32_t path = 0;  // the bits of floats that are not negative are in the order of the floats
+  static_assert(sizeof path == sizeof p.path);
+  std::memcpy(&path, &p.path, sizeof path);
+  constexpr unsigned path_bits = 32;
+  return static_cast<std::uint64_t>(~p.witnesses) << path_bits | path;
+}
 
 /** \brief The pair crosses a better one, which is reached over an edge that is better, too. */
 struct Crossing
 {
-  std::uint32_t pair, crossed, link;
+  PairGraph::Edge pair;
+  std::uint32_t crossed, link;
 };
 
 /** \brief Finds what crosses a pair, seen along the mean of its ends' normals. */
 class CrossingSearch
 {
  public:
-  CrossingSearch(const SeedGeometry& seeds, const std::vector<SeedPair>& pairs, const PairGraph& graph)
-      : position_(seeds.position), normal_(seeds.normal), pairs_(pairs), graph_(graph), better_(pairs)
+  CrossingSearch(const SeedGeometry& seeds, const PairGraph& graph)
+      : position_(seeds.position), normal_(seeds.normal), graph_(graph)
   {
   }
 
   /** \brief Looks at edges next to an end of the pair: others are too far away to cross it in the surface. */
-  void find(std::uint32_t pair, std::vector<Crossing>& crossings) const
+  void find(std::uint32_t a, const PairGraph::Edge& pair, std::vector<Crossing>& crossings) const
   {
-    const auto [a, b] = std::pair(pairs_[pair].a, pairs_[pair].b);
+    const std::uint32_t b = pair.other;
     const Vector3d along = position_[b] - position_[a];
     Vector3d normal =
         normal_[a].dot(normal_[b]) < 0 ? Vector3d(normal_[a] - normal_[b]) : Vector3d(normal_[a] + normal_[b]);
@@ -59,12 +54,12 @@ class CrossingSearch
     for (const std::uint32_t end : {a, b})
       for (const PairGraph::Edge* link = graph_.first(end); link != graph_.last(end); ++link) {
         const std::uint32_t c = link->other;
-        if (c == a || c == b || !better_(link->pair, pair)) continue;
+        if (c == a || c == b || !link->better_than(pair)) continue;
         const double c_side = left.dot(position_[c] - position_[a]);
         for (const PairGraph::Edge* edge = graph_.first(c); edge != graph_.last(c); ++edge) {
           const std::uint32_t d = edge->other;
-          if (d == a || d == b || !(c_side * left.dot(position_[d] - position_[a]) < 0)) continue;
-          if (separates(c, d, a, b, normal) && better_(edge->pair, pair))
+          if (d == a || d == b || !edge->better_than(pair)) continue;
+          if (c_side * left.dot(position_[d] - position_[a]) < 0 && separates(c, d, a, b, normal))
             crossings.push_back({pair, edge->pair, link->pair});
         }
       }
@@ -83,9 +78,7 @@ class CrossingSearch
 
   const std::vector<Vector3d>& position_;
   const std::vector<Vector3d>& normal_;
-  const std::vector<SeedPair>& pairs_;
   const PairGraph& graph_;
-  BetterPair better_;
 };
 
 }  // namespace
@@ -100,32 +93,35 @@ PairGraph::PairGraph(std::size_t seed_count, const std::vector<SeedPair>& pairs,
   begin = by_seed.begins();
   edge.resize(begin.back());
   parallel.each(pairs.size(), pairs_per_block, [&](std::size_t p) {
-    edge[by_seed.place(pairs[p].a)] = {pairs[p].b, static_cast<std::uint32_t>(p)};
-    edge[by_seed.place(pairs[p].b)] = {pairs[p].a, static_cast<std::uint32_t>(p)};
+    const std::uint64_t rank = rank_of(pairs[p]);
+    edge[by_seed.place(pairs[p].a)] = {rank, static_cast<std::uint32_t>(p), pairs[p].b};
+    edge[by_seed.place(pairs[p].b)] = {rank, static_cast<std::uint32_t>(p), pairs[p].a};
   });
 }
 
 std::vector<std::uint8_t> choose_planar_edges(const SeedGeometry& seeds,
-                                              const std::vector<SeedPair>& pairs,
+                                              std::size_t pair_count,
                                               const PairGraph& graph,
                                               const Parallel& parallel)
 {
   using Crossings = std::vector<Crossing>;
-  const CrossingSearch search(seeds, pairs, graph);
+  constexpr std::size_t seeds_per_block = 256;
+  const CrossingSearch search(seeds, graph);
   Crossings crossings;
-  for (const Crossings& part : parallel_parts<Crossings>(pairs.size(), pairs_per_block, parallel,
-                                                         [&](std::size_t begin, std::size_t end, Crossings&found) {
-                                                           for (std::size_t p = begin; p < end; ++p)
-                                                             search.find(static_cast<std::uint32_t>(p), found);
-                                                         }))
+  for (const Crossings& part : parallel_parts<Crossings>(
+           seeds.position.size(), seeds_per_block, parallel, [&](std::size_t begin, std::size_t end, Crossings&found) {
+             for (std::size_t a = begin; a < end; ++a)
+               for (const PairGraph::Edge* e = graph.first(a); e != graph.last(a); ++e)
+                 if (a < e->other) search.find(static_cast<std::uint32_t>(a), *e, found);
+           }))
     append(crossings, part);
 
   // A pair's verdict is final when its turn comes, as all it depends on is better.
   std::sort(crossings.begin(), crossings.end(),
-            [better = BetterPair(pairs)](const Crossing& x, const Crossing& y) { return better(x.pair, y.pair); });
-  std::vector<std::uint8_t> chosen(pairs.size(), 1);
+            [](const Crossing& x, const Crossing& y) { return x.pair.better_than(y.pair); });
+  std::vector<std::uint8_t> chosen(pair_count, 1);
   for (const Crossing& c : crossings)
-    if (chosen[c.crossed] != 0 && chosen[c.link] != 0) chosen[c.pair] = 0;
+    if (chosen[c.crossed] != 0 && chosen[c.link] != 0) chosen[c.pair.pair] = 0;
   return chosen;
 }
 

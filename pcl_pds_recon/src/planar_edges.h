@@ -15,8 +15,11 @@ struct PairGraph
 {
   struct Edge
   {
+    std::uint64_t rank;   ///< the less, the better the evidence: witnesses, then path
+    std::uint32_t pair;   ///< decides between equal ranks
     std::uint32_t other;  ///< the seed at the other end
-    std::uint32_t pair;
+
+    [[nodiscard]] bool better_than(const Edge& e) const { return rank != e.rank ? rank < e.rank : pair < e.pair; }
   };
   std::vector<std::size_t> begin;  ///< by seed: its first edge; size seeds + 1
   std::vector<Edge> edge;          ///< in no order within a seed
@@ -32,7 +35,7 @@ struct PairGraph
  * only pairs that have one, one in thirty on a clean surface, are then decided in turn.
  */
 [[nodiscard]] std::vector<std::uint8_t> choose_planar_edges(const SeedGeometry& seeds,
-                                                            const std::vector<SeedPair>& pairs,
+                                                            std::size_t pair_count,
                                                             const PairGraph& graph,
                                                             const Parallel& parallel);
 

@@ -15,6 +15,8 @@
 #include <sys/resource.h>
 #include <algorithm>
 #include <chrono>
+#include "bucket_sort.h"
+#include "parallel_parts.h"
 
 namespace pds
 {
@@ -89,51 +91,80 @@ OrientationCues cues_for(const PointCloudView& cloud, const OrderedPoints& point
   return cues;
 }
 
-/** \brief Numbers the seeds so that those with a face come first, and brings faces into a canonical order. */
+/** \brief Brings faces into a canonical order: each begins with its lowest corner, and they ascend. */
+std::vector<Triangle> sorted_faces(std::vector<Triangle> triangles, std::size_t vertex_count, const Parallel& parallel)
+{
+  constexpr std::size_t block = 4096;
+  BucketSort by_first_corner(vertex_count);
+  parallel.each(triangles.size(), block, [&](std::size_t f) {
+    Triangle& t = triangles[f];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    by_first_corner.count(t[0]);
+  });
+  const std::vector<std::size_t> begin = by_first_corner.begins();
+  std::vector<Triangle> sorted(triangles.size());
+  parallel.each(triangles.size(), block,
+                [&](std::size_t f) { sorted[by_first_corner.place(triangles[f][0])] = triangles[f]; });
+  parallel.each(vertex_count, block, [&](std::size_t v) {
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+              sorted.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]));
+  });
+  return sorted;
+}
+
+/** \brief Numbers the seeds so that those with a face come first. */
 void number_vertices(std::vector<Triangle> triangles,
                      const OrderedPoints& points,
                      const PoissonDiskSampling& sampling,
                      std::vector<std::uint32_t>& number_of_seed,
-                     Reconstruction& result)
+                     Reconstruction& result,
+                     const Parallel& parallel)
 {
   std::vector<std::uint8_t> used(sampling.seeds.size());
   for (const Triangle& t : triangles)
     for (const std::uint32_t s : t) used[s] = 1;
   number_of_seed.resize(used.size());
+  result.seeds.reserve(used.size());
   for (const std::uint8_t wanted : {std::uint8_t{1}, std::uint8_t{0}})
     for (std::size_t s = 0; s < used.size(); ++s)
       if (used[s] == wanted) {
         number_of_seed[s] = static_cast<std::uint32_t>(result.seeds.size());
         result.seeds.push_back(points.input_index[sampling.seeds[s]]);
       }
-  for (Triangle& t : triangles) {
+  for (Triangle& t : triangles)
     for (std::uint32_t& v : t) v = number_of_seed[v];
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  }
-  std::sort(triangles.begin(), triangles.end());
-  result.triangles = std::move(triangles);
+  result.triangles = sorted_faces(std::move(triangles), used.size(), parallel);
 }
 
 void describe_points(const OrderedPoints& points,
                      const PoissonDiskSampling& sampling,
                      const GeodesicVoronoi& voronoi,
                      const std::vector<std::uint32_t>& number_of_seed,
-                     Reconstruction& result)
+                     Reconstruction& result,
+                     const Parallel& parallel)
 {
+  using Indices = std::vector<std::uint32_t>;
+  constexpr std::size_t block = 32768;
   const std::size_t n = points.rank_of_input.size();
-  result.voronoi.label.assign(n, no_label);
-  result.voronoi.distance.assign(n, std::numeric_limits<float>::quiet_NaN());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t rank = points.rank_of_input[i];
-    if (rank == no_rank || sampling.nearest.empty()) continue;
-    const NearestSeeds& nearest = sampling.nearest[rank];
-    result.voronoi.label[i] = number_of_seed[nearest.seed[0]];
-    result.voronoi.distance[i] = static_cast<float>(static_cast<double>(nearest.distance[0]) * points.unit);
-    if (voronoi.witness[rank] != 0) result.witness_points.push_back(i);
-  }
+  result.voronoi.label.resize(n);
+  result.voronoi.distance.resize(n);
+  for (const Indices& part :
+       parallel_parts<Indices>(n, block, parallel, [&](std::size_t begin, std::size_t end, Indices&witnesses) {
+         for (std::size_t i = begin; i < end; ++i) {
+           const std::uint32_t rank = points.rank_of_input[i];
+           const bool has_seed = rank != no_rank && !sampling.nearest.empty();
+           const NearestSeeds nearest = has_seed ? sampling.nearest[rank] : NearestSeeds{};
+           result.voronoi.label[i] = has_seed ? number_of_seed[nearest.seed[0]] : no_label;
+           result.voronoi.distance[i] = has_seed
+                                            ? static_cast<float>(static_cast<double>(nearest.distance[0]) * points.unit)
+                                            : std::numeric_limits<float>::quiet_NaN();
+           if (has_seed && voronoi.witness[rank] != 0) witnesses.push_back(static_cast<std::uint32_t>(i));
+         }
+       }))
+    append(result.witness_points, part);
 }
 
-void report_sampling(const PoissonDiskSampling& sampling, Report& report)
+void report_sampling(const PoissonDiskSampling& sampling, Report& report, const Parallel& parallel)
 {
   report.seeds = sampling.seeds.size();
   if (sampling.seeds.empty()) return;
@@ -142,8 +173,12 @@ void report_sampling(const PoissonDiskSampling& sampling, Report& report)
     nearest_pair = std::min(nearest_pair, static_cast<double>(sampling.nearest[s].distance[1]));
   // Disks are grown to disk_reach; seeds that are nowhere nearer than that to another are reported at it.
   report.min_seed_distance = std::min(nearest_pair / sampling.radius, disk_reach);
-  float farthest = 0;
-  for (const NearestSeeds& nearest : sampling.nearest) farthest = std::max(farthest, nearest.distance[0]);
+  constexpr std::size_t block = 65536;
+  const std::vector<float> farthest_of_block = parallel_parts<float>(
+      sampling.nearest.size(), block, parallel, [&](std::size_t begin, std::size_t end, float& farthest) {
+        for (std::size_t i = begin; i < end; ++i) farthest = std::max(farthest, sampling.nearest[i].distance[0]);
+      });
+  const float farthest = *std::max_element(farthest_of_block.begin(), farthest_of_block.end());
   report.coverage_radius = static_cast<double>(farthest) / sampling.radius;
 }
 
@@ -216,11 +251,12 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
 
   clock.start("orientation", 0.95, report.seconds.orientation);
   std::vector<std::uint32_t> number_of_seed;
-  number_vertices(orient_faces(complex, cues_for(cloud, points, sampling)), points, sampling, number_of_seed, result);
-  describe_points(points, sampling, voronoi, number_of_seed, result);
+  number_vertices(orient_faces(complex, cues_for(cloud, points, sampling)), points, sampling, number_of_seed, result,
+                  parallel);
+  describe_points(points, sampling, voronoi, number_of_seed, result, parallel);
   report.orientable = one_sided.empty();
   report_certificate(certify(result.triangles, result.seeds.size(), parallel), result);
-  report_sampling(sampling, report);
+  report_sampling(sampling, report, parallel);
   clock.stop();
 
   report.input_points = cloud.size;

@@ -112,6 +112,12 @@ class FaceTracer
   const SeedGeometry& seeds_;
 };
 
+/** \brief True if every edge of the triple has room for a face. */
+bool all_open(const TriangleComplex& complex, const SeedTriple& t)
+{
+  return complex.face_count(t.a, t.b) < 2 && complex.face_count(t.b, t.c) < 2 && complex.face_count(t.c, t.a) < 2;
+}
+
 }  // namespace
 
 SeedFaces trace_faces(const SeedGraph& graph, const SeedGeometry& seeds, const Parallel& parallel)
@@ -141,10 +147,19 @@ std::vector<Triangle> add_dual_triangles(TriangleComplex& complex,
                                          const std::vector<SeedTriple>& triples)
 {
   std::vector<Triangle> one_sided;
-  for (const Triangle& t : faces)
-    if (complex.add(t, least_dual_angle) == TriangleComplex::Verdict::one_sided) one_sided.push_back(t);
+  for (const std::uint32_t f : complex.start(faces, least_dual_angle))
+    if (complex.add(faces[f], least_dual_angle) == TriangleComplex::Verdict::one_sided) one_sided.push_back(faces[f]);
 
-  std::vector<SeedTriple> pending = triples;
+  // Most triples are faces already, and an edge that is full stays so.
+  using Triples = std::vector<SeedTriple>;
+  constexpr std::size_t block = 2048;
+  Triples pending;
+  for (const Triples& part : parallel_parts<Triples>(triples.size(), block, complex.parallel(),
+                                                     [&](std::size_t begin, std::size_t end, Triples&open) {
+                                                       for (std::size_t i = begin; i < end; ++i)
+                                                         if (all_open(complex, triples[i])) open.push_back(triples[i]);
+                                                     }))
+    append(pending, part);
   std::stable_sort(pending.begin(), pending.end(),
                    [](const SeedTriple& x, const SeedTriple& y) { return x.votes > y.votes; });
   for (const double angle : {first_triple_angle, second_triple_angle})

@@ -97,7 +97,7 @@ SeedGraph build_seed_graph(const SeedGeometry& seeds, const std::vector<SeedPair
   constexpr std::size_t block = 1024;
   const std::size_t seed_count = seeds.position.size();
   const PairGraph all(seed_count, pairs, parallel);
-  const std::vector<std::uint8_t> chosen = choose_planar_edges(seeds, pairs, all, parallel);
+  const std::vector<std::uint8_t> chosen = choose_planar_edges(seeds, pairs.size(), all, parallel);
 
   SeedGraph graph;
   graph.begin.resize(seed_count + 1);

@@ -36,8 +36,9 @@ double TriangleComplex::fold_cosine(const Vector3d& a, const Vector3d& b, const 
   return lengths > 0 ? std::min(to_p.dot(to_q) / lengths, 1.0) : 1.0;
 }
 
-bool TriangleComplex::flat(const Triangle& t) const
+bool TriangleComplex::degenerate(const Triangle& t) const
 {
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
   constexpr double smallest_height = 1e-4;  // of the longest edge; below it the normal is noise
   const Vector3d ab = position_[t[1]] - position_[t[0]];
   const Vector3d ac = position_[t[2]] - position_[t[0]];
@@ -70,11 +71,8 @@ std::size_t TriangleComplex::count_faces_at(std::uint32_t vertex) const
   return count;
 }
 
-/** If one component of the link is a cycle, it is the whole link, so that one component decides. */
-bool TriangleComplex::is_closed_fan(std::uint32_t vertex) const
+bool TriangleComplex::fan_closes(std::uint32_t vertex, std::uint32_t first) const
 {
-  const std::uint32_t first = first_at_[vertex];
-  if (first == no_face) return false;
   std::uint32_t face = first;
   std::uint32_t at = face_[first].corner[(corner_of(first, vertex) + 1) % 3];
   do {
@@ -90,7 +88,9 @@ bool TriangleComplex::link_stays_simple(const Triangle& t, std::size_t corner, c
   const std::uint32_t vertex = t[corner];
   const std::uint32_t after = across[corner];             // at the side to the next corner
   const std::uint32_t before = across[(corner + 2) % 3];  // at the side from the one before
-  if (after == no_face && before == no_face) return !is_closed_fan(vertex);
+  // A new path: a cycle, if there is one, is the whole link, so that any face will tell.
+  if (after == no_face && before == no_face)
+    return first_at_[vertex] == no_face || !fan_closes(vertex, first_at_[vertex]);
   if (after == no_face || before == no_face) return true;  // a path gets longer
   // Walk from one side: if that leads to the other, a cycle closes, which must then hold all faces.
   std::uint32_t at = t[(corner + 1) % 3];
@@ -135,7 +135,7 @@ bool TriangleComplex::orientable_with(const Triangle& t, const ThreeFaces& acros
 
 TriangleComplex::Verdict TriangleComplex::judge(const Triangle& t, double smallest_angle) const
 {
-  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || flat(t)) return Verdict::degenerate;
+  if (degenerate(t)) return Verdict::degenerate;
   return judge_beside(t, {find_face(t[0], t[1]), find_face(t[1], t[2]), find_face(t[2], t[0])}, smallest_angle);
 }
 
@@ -157,7 +157,7 @@ TriangleComplex::Verdict TriangleComplex::add(const Triangle& t, double smallest
   if (verdict != Verdict::legal) return verdict;
   const auto number = static_cast<std::uint32_t>(face_.size());
   face_.push_back({t});
-  orientation_.push_back();
+  orientation_.resize(face_.size());
   Face& face = face_.back();
   for (std::size_t e = 0; e < 3; ++e) {
     const std::uint32_t from = t[e];

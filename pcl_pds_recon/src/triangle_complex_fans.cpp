@@ -40,6 +40,13 @@ bool TriangleComplex::is_pinched(std::uint32_t vertex) const
   return fan != count_faces_at(vertex);
 }
 
+std::vector<std::uint8_t> TriangleComplex::find_pinched() const
+{
+  std::vector<std::uint8_t> pinched(vertex_count());
+  parallel_.each(pinched.size(), block, [&](std::size_t v) { pinched[v] = is_pinched(static_cast<std::uint32_t>(v)); });
+  return pinched;
+}
+
 /** By their lowest faces. */
 std::vector<std::vector<std::uint32_t>> TriangleComplex::fans(std::uint32_t vertex) const
 {
@@ -82,8 +89,7 @@ std::size_t TriangleComplex::keep_largest_fan(std::uint32_t vertex, std::vector<
 
 std::size_t TriangleComplex::remove_pinches()
 {
-  std::vector<std::uint8_t> pinched(vertex_count());
-  parallel_.each(pinched.size(), block, [&](std::size_t v) { pinched[v] = is_pinched(static_cast<std::uint32_t>(v)); });
+  const std::vector<std::uint8_t> pinched = find_pinched();
   std::vector<std::uint32_t> pending;
   for (std::uint32_t v = 0; v < pinched.size(); ++v)
     if (pinched[v] != 0) pending.push_back(v);
@@ -142,12 +148,15 @@ std::vector<std::vector<std::uint32_t>> TriangleComplex::components() const
 {
   std::vector<std::vector<std::uint32_t>> result;
   std::vector<std::uint8_t> seen(face_.size());
-  for (std::uint32_t start = 0; start < face_.size(); ++start) {
-    if (!face_[start].present || seen[start] != 0) continue;
-    std::vector<std::uint32_t> component;
-    walk_component(start, seen, [&](std::uint32_t face, std::uint32_t) { component.push_back(face); });
-    std::sort(component.begin(), component.end());
-    result.push_back(std::move(component));
+  std::vector<std::uint32_t> component_of(face_.size());
+  for (std::uint32_t f = 0; f < face_.size(); ++f) {
+    if (!face_[f].present) continue;
+    if (seen[f] == 0) {
+      const auto component = static_cast<std::uint32_t>(result.size());
+      walk_component(f, seen, [&](std::uint32_t face, std::uint32_t) { component_of[face] = component; });
+      result.emplace_back();
+    }
+    result[component_of[f]].push_back(f);
   }
   return result;
 }

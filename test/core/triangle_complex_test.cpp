@@ -149,6 +149,50 @@ TEST(TriangleComplex, RefusesTheFaceThatWouldMakeABandOneSided)
   EXPECT_EQ(examine(oriented_faces(complex), position).inconsistent_edges, 0U);
 }
 
+TEST(TriangleComplex, StartsWithAllFacesOfAClosedSurface)
+{
+  const Points position = two_tetrahedra();
+  TriangleComplex complex(position);
+  EXPECT_TRUE(complex.start({{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {4, 5, 6}}, any_angle).empty());
+  const MeshFacts facts = examine(oriented_faces(complex), position);
+  EXPECT_EQ(facts.faces, 5U);
+  EXPECT_EQ(facts.inconsistent_edges, 0U) << "although the faces came in mixed directions";
+  EXPECT_EQ(complex.add({0, 1, 2}, any_angle), Verdict::edge_full);
+}
+
+TEST(TriangleComplex, StartsWithoutWhatBreaksARule)
+{
+  // A closed fan and another face at its hub; three faces at an edge; a flat one.
+  Points position = wheel(6);
+  position.insert(position.end(), {{0.1, 0, 1}, {-0.1, 0.1, 1}});
+  position.insert(position.end(), {{5, 0, 0}, {6, 0, 0}, {5.5, 1, 0}, {5.5, -1, 0}, {5.5, 0, 1}, {7, 0, 0}});
+  Triangles triangles{{0, 7, 8}, {9, 10, 11}, {9, 10, 12}, {9, 10, 13}, {9, 10, 14}};
+  for (std::uint32_t i = 1; i <= 6; ++i) triangles.push_back({0, i, i % 6 + 1});
+  TriangleComplex complex(position);
+  EXPECT_EQ(complex.start(triangles, any_angle), (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+  EXPECT_EQ(complex.faces(), std::vector<std::uint32_t>{0});
+}
+
+TEST(TriangleComplex, DoesNotStartWithAOneSidedBand)
+{
+  constexpr std::uint32_t count = 12;
+  Points position = moebius_corners(count);
+  position.insert(position.end(), {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}});
+  Triangles band{{2 * count - 2, 2 * count - 1, 1}, {2 * count - 1, 1, 0}};
+  for (std::uint32_t i = 0; i + 1 < count; ++i) {
+    band.push_back({2 * i, 2 * i + 1, 2 * i + 2});
+    band.push_back({2 * i + 3, 2 * i + 1, 2 * i + 2});
+  }
+  Triangles triangles = band;
+  triangles.push_back({2 * count, 2 * count + 1, 2 * count + 2});
+  TriangleComplex complex(position);
+  EXPECT_EQ(complex.start(triangles, any_angle).size(), band.size());
+  EXPECT_EQ(complex.faces(), std::vector<std::uint32_t>{2 * count});
+  std::size_t refused = 0;
+  for (const Triangle& t : band) refused += complex.add(t, any_angle) == Verdict::one_sided ? 1 : 0;
+  EXPECT_EQ(refused, 1U);
+}
+
 TEST(TriangleComplex, ForgetsConstraintsOfRemovedFacesWhenTold)
 {
   constexpr std::uint32_t count = 12;
@@ -232,6 +276,33 @@ TEST_P(TriangleSoup, BecomesAManifoldInAnyOrder)
   const MeshFacts facts = examine(oriented_faces(complex), position);
   EXPECT_GT(facts.faces, 0U);
   EXPECT_EQ(facts.nonmanifold_edges + facts.nonmanifold_vertices + facts.inconsistent_edges, 0U);
+}
+
+/** Whatever is offered at once: what is taken is manifold, oriented and not folded, and the rest can be offered again.
+ */
+TEST_P(TriangleSoup, StartsAsAManifold)
+{
+  Random random(GetParam());
+  const std::size_t vertices = 12 + random.below(200);
+  Points position;
+  for (std::size_t i = 0; i < vertices; ++i) position.push_back(random.in_box(1));
+  Triangles triangles;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const auto corner = [&] { return static_cast<std::uint32_t>(random.below(vertices)); };
+    triangles.push_back({corner(), corner(), corner()});
+  }
+  constexpr double smallest_angle = 0.55;  // radians, above the checker's 30 degrees
+  TriangleComplex complex(position, pds::Parallel(2));
+  const std::vector<std::uint32_t> left_out = complex.start(triangles, smallest_angle);
+  EXPECT_FALSE(left_out.empty());
+  EXPECT_EQ(complex.faces().size() + left_out.size(), triangles.size());
+  for (const std::uint32_t f : left_out) complex.add(triangles[f], smallest_angle);
+  EXPECT_GT(complex.faces().size(), vertices / 4);
+  complex.remove_pinches();
+  const MeshFacts facts = examine(oriented_faces(complex), position);
+  EXPECT_EQ(facts.nonmanifold_edges + facts.nonmanifold_vertices + facts.inconsistent_edges + facts.duplicate_faces +
+                facts.degenerate_faces + facts.folded_edges,
+            0U);
 }
 
 /** A twin that never saw the trials must be indistinguishable. */

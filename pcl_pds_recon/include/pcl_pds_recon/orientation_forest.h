@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,8 +22,8 @@ class OrientationForest
     bool flipped;  ///< against the root
   };
 
-  /** \brief Adds a face, joined to none; its number is the number of faces before. */
-  void push_back();
+  /** \brief Adds faces that are joined to none, or forgets the last ones. */
+  void resize(std::size_t count);
   /** \brief Takes back the faces from \a count on and all unions since begin_trial(). */
   void undo(std::size_t count);
   void begin_trial() { undo_.clear(); }

@@ -78,6 +78,11 @@ class TriangleComplex
    * \param parallel for what is done to all vertices or faces at once */
   explicit TriangleComplex(const std::vector<Eigen::Vector3d>& position, const Parallel& parallel = Parallel(1));
 
+  /** \brief Fills the complex, which must be empty, with all of the triangles that get along with all others.
+   * \return the numbers of the rest, ascending: for add() to judge one by one
+   */
+  [[nodiscard]] std::vector<std::uint32_t> start(const std::vector<Triangle>& triangles, double smallest_angle);
+
   /** \brief Adds the triangle if that is legal.
    * \param smallest_angle the least angle that two faces may enclose at an edge, radians (pi = flat)
    */
@@ -106,6 +111,7 @@ class TriangleComplex
   /** \brief Numbers of the faces that are present, ascending. */
   [[nodiscard]] std::vector<std::uint32_t> faces() const;
   [[nodiscard]] FacesAt faces_at(std::uint32_t vertex) const { return {*this, vertex}; }
+  [[nodiscard]] const Parallel& parallel() const { return parallel_; }
   [[nodiscard]] std::size_t vertex_count() const { return position_.size(); }
 
   /** \brief The face's corners, oriented consistently with all faces it is joined to. */
@@ -152,15 +158,19 @@ class TriangleComplex
     return t[0] + t[1] + t[2] - a - b;
   }
   [[nodiscard]] bool runs_along(std::uint32_t face, std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] bool flat(const Triangle& t) const;
+  /** \brief A corner occurs twice, or the triangle is flat. */
+  [[nodiscard]] bool degenerate(const Triangle& t) const;
   [[nodiscard]] std::uint32_t find_face(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Verdict judge_beside(const Triangle& t, const ThreeFaces& across, double smallest_angle) const;
   [[nodiscard]] bool link_stays_simple(const Triangle& t, std::size_t corner, const ThreeFaces& across) const;
   [[nodiscard]] bool folds(const Triangle& t, const ThreeFaces& across, double smallest_angle) const;
   [[nodiscard]] bool orientable_with(const Triangle& t, const ThreeFaces& across) const;
   [[nodiscard]] std::size_t count_faces_at(std::uint32_t vertex) const;
-  [[nodiscard]] bool is_closed_fan(std::uint32_t vertex) const;
+  [[nodiscard]] bool fan_closes(std::uint32_t vertex, std::uint32_t first) const;
   [[nodiscard]] bool is_pinched(std::uint32_t vertex) const;
+  [[nodiscard]] std::vector<std::uint8_t> find_pinched() const;
+  void find_neighbors(double smallest_angle);
+  void remove_misfits();
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> fans(std::uint32_t vertex) const;
   std::size_t keep_largest_fan(std::uint32_t vertex, std::vector<std::uint32_t>& touched);
   template <typename Visit>
