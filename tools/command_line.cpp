@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
+#include "io/atomic_file.h"
 #include "io/file_extension.h"
 #include "io/write_mesh.h"
 #include "option_table.h"
@@ -116,7 +117,7 @@ void validate_options(const Options& options)
 void check_output_names(const CommandLine& command_line)
 {
   const std::vector<std::string> extensions = mesh_extensions();
-  const std::string extension = file_extension(command_line.output);
+  const std::string extension = output_extension(command_line);
   if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
     const bool lacks_vtk = extension == ".vtk" || extension == ".vtp";
     throw UsageError(command_line.output + ": cannot write a mesh as '" + extension + "'" +
@@ -138,13 +139,17 @@ bool are_same_file(const std::string& a, const std::string& b)
 
 void check_files_differ(const CommandLine& command_line)
 {
-  std::vector<std::string> files = {command_line.input, command_line.output, command_line.report_file,
-                                    command_line.voronoi_file, command_line.config_to_save};
+  std::vector<std::string> files = {command_line.output, command_line.report_file, command_line.voronoi_file,
+                                    command_line.config_to_save};
+  files.insert(files.end(), command_line.inputs.begin(), command_line.inputs.end());
   files.erase(std::remove(files.begin(), files.end(), ""), files.end());
+  if (command_line.output == standard_stream) {
+    files.erase(files.begin());  // not the standard input of the same name
+  }
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (are_same_file(files[i], files[j])) {
-        throw UsageError(files[i] + ": is named twice and would be overwritten; choose another name for the output");
+        throw UsageError(files[i] + ": is named twice; name each input once and let outputs have names of their own");
       }
     }
   }
@@ -162,12 +167,11 @@ void take_files(const po::variables_map& arguments, CommandLine& command_line)
 {
   const auto files =
       arguments.count("files") == 0 ? std::vector<std::string>() : arguments["files"].as<std::vector<std::string>>();
-  if (files.size() != 2) {
-    throw UsageError("needs one INPUT and one OUTPUT, got " + std::to_string(files.size()) + " file names" +
-                     usage_hint);
+  if (files.size() < 2) {
+    throw UsageError("needs an INPUT and an OUTPUT, got " + std::to_string(files.size()) + " file names" + usage_hint);
   }
-  command_line.input = files[0];
-  command_line.output = files[1];
+  command_line.inputs.assign(files.begin(), files.end() - 1);
+  command_line.output = files.back();
 }
 
 CommandLine interpret(const po::variables_map& arguments)
@@ -198,6 +202,11 @@ CommandLine interpret(const po::variables_map& arguments)
 }
 
 }  // namespace
+
+std::string output_extension(const CommandLine& command_line)
+{
+  return command_line.output == standard_stream ? ".ply" : file_extension(command_line.output);
+}
 
 CommandLine parse_command_line(int argc, const char* const* argv)
 {

@@ -3,9 +3,10 @@
 
 #include <pcl_pds_recon/options.h>
 
-#include <optional>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace pds
 {
@@ -20,16 +21,21 @@ enum class Verbosity
 /** \brief What the user asked for. */
 struct CommandLine
 {
-  std::string input;
-  std::string output;
+  std::vector<std::string> inputs;  ///< one or more; "-": standard input
+  std::string output;               ///< "-": standard output, as PLY
   Options options;
   bool ascii = false;
-  std::string report_file;     ///< empty: none
-  std::string voronoi_file;    ///< empty: none
-  std::string config_to_save;  ///< empty: none
+  bool normals = false;               ///< give the vertices the normals of the mesh
+  std::vector<std::uint8_t> classes;  ///< of points to be used; empty: all
+  std::string report_file;            ///< empty: none
+  std::string voronoi_file;           ///< empty: none
+  std::string config_to_save;         ///< empty: none
   Verbosity verbosity = Verbosity::normal;
   std::string information;  ///< of --help or --version; if not empty, printing it is all there is to do
 };
+
+/** \brief The extension that says in which format the mesh is written. */
+[[nodiscard]] std::string output_extension(const CommandLine& command_line);
 
 /** \brief Thrown for bad usage; what() is one line that names the option and what it takes. */
 struct UsageError : std::runtime_error

@@ -77,13 +77,39 @@ OptionRow verbosity(std::string name, std::string help, Verbosity level)
   return {std::move(name), letter, "", std::move(help), set, get};
 }
 
-OptionRow ascii_switch()
+OptionRow flag(std::string name, std::string help, bool CommandLine::*member)
+{
+  const auto set = [member](CommandLine& command_line, const std::string& text) {
+    return parse_switch(text, command_line.*member);
+  };
+  const auto get = [member](const CommandLine& command_line) {
+    return std::string(command_line.*member ? "true" : "false");
+  };
+  return {std::move(name), 0, "", std::move(help), set, get};
+}
+
+OptionRow classes_option()
 {
   const auto set = [](CommandLine& command_line, const std::string& text) {
-    return parse_switch(text, command_line.ascii);
+    std::vector<std::string_view> words;
+    split(text, ",", words);
+    command_line.classes.clear();
+    for (const std::string_view word : words) {
+      if (!parse_number(word, command_line.classes.emplace_back())) {
+        return false;
+      }
+    }
+    return !words.empty();
   };
-  const auto get = [](const CommandLine& command_line) { return std::string(command_line.ascii ? "true" : "false"); };
-  return {"ascii", 0, "", "write text where OUTPUT's format has both text and binary", set, get};
+  const auto get = [](const CommandLine& command_line) {
+    std::string text;
+    for (const std::uint8_t number : command_line.classes) {
+      text += (text.empty() ? "" : ",") + std::to_string(number);
+    }
+    return text;
+  };
+  return {"class", 0,  "N,N,...", "use only points of these classes, 0 ... 255, such as 2,6 for ground and buildings",
+          set,     get};
 }
 
 std::vector<OptionRow> make_table()
@@ -101,7 +127,9 @@ std::vector<OptionRow> make_table()
       number("threads", 'j', "N", "worker threads, 0 ... 1024; 0: all cores. The mesh does not depend on it",
              &Options::threads),
       number("seed", 0, "N", "picks one of the equally valid samplings", &Options::seed),
-      ascii_switch(),
+      classes_option(),
+      flag("normals", "give the vertices the normals of the mesh", &CommandLine::normals),
+      flag("ascii", "write text where OUTPUT's format has both text and binary", &CommandLine::ascii),
       file("report", "FILE.json", "write counts, topology certificate and times", &CommandLine::report_file, true),
       file("voronoi", "FILE.ply", "write the cloud with label, distance, witness and seed fields",
            &CommandLine::voronoi_file, true),
@@ -120,6 +148,15 @@ std::string help_line(char letter, const std::string& name, const std::string& a
   return line + help + "\n";
 }
 
+std::string input_extensions()
+{
+#ifdef PCL_PDS_RECON_WITH_PDAL
+  return " .pcd .ply .las .laz .e57 .obj .xyz .txt or .csv";
+#else
+  return " .pcd .ply .las .obj .xyz .txt or .csv";
+#endif
+}
+
 }  // namespace
 
 const std::vector<OptionRow>& option_table()
@@ -135,10 +172,12 @@ std::string help_text()
     formats += " " + extension;
   }
   std::string text =
-      "Usage: pcl_pds_recon [OPTION]... INPUT OUTPUT\n"
+      "Usage: pcl_pds_recon [OPTION]... INPUT... OUTPUT\n"
       "Turn the point cloud INPUT into an oriented manifold triangle mesh OUTPUT by Poisson-disk sampling.\n\n"
-      "INPUT is a .pcd .ply .obj .xyz .txt or .csv file; OUTPUT ends in one of" +
-      formats + ".\n\nOptions:\n";
+      "INPUT is a" +
+      input_extensions() +
+      " file; the points of several inputs are\nmerged and numbered by the field scan. OUTPUT ends in one of" +
+      formats + ".\nINPUT - is standard input, PCD or PLY; OUTPUT - is standard output, PLY.\n\nOptions:\n";
   for (const OptionRow& row : option_table()) {
     text += help_line(row.letter, row.name, row.argument, row.help);
   }
@@ -148,6 +187,8 @@ std::string help_text()
   return text +
          "\nExamples:\n"
          "  pcl_pds_recon scan.ply mesh.ply\n"
+         "  pcl_pds_recon scan1.pcd scan2.pcd scan3.pcd mesh.glb\n"
+         "  pcl_pds_recon --class 2,9 terrain.las terrain.vtp\n"
          "  pcl_pds_recon -k 30 -a 0.25 --report mesh.json scan.pcd mesh.vtp\n"
          "  pcl_pds_recon --config config/dragon.ini dragon.ply mesh.ply\n"
          "\nExit status:\n"

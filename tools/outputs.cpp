@@ -2,12 +2,13 @@
 #include "outputs.h"
 
 #include "io/atomic_file.h"
-#include "io/file_extension.h"
+#include "io/vertex_normals.h"
 #include "io/write_mesh.h"
 #include "report_json.h"
 #include "voronoi_table.h"
 
 #include <optional>
+#include <utility>
 
 namespace pds
 {
@@ -20,6 +21,15 @@ void write_text(AtomicFile& file, const std::string& text)
   file.write(text.data(), text.size());
   file.finish();
 }
+
+PointTable make_vertices(const CommandLine& command_line, const PointTable& points, const Reconstruction& result)
+{
+  PointTable vertices = points.select(result.seeds, result.report.vertices);
+  return command_line.normals ? with_vertex_normals(vertices, result.triangles) : std::move(vertices);
+}
+
+/** Wide integers are what PLY cannot hold. */
+std::string who_can(const std::string& extension) { return extension == ".ply" ? ".vtp can" : "binary .ply can"; }
 
 }  // namespace
 
@@ -40,14 +50,15 @@ void save_config(const CommandLine& command_line)
   file.commit();
 }
 
-void save_outputs(const CommandLine& command_line,
-                  const PointTable& points,
-                  Reconstruction& result,
-                  const std::function<void(Report&)>& complete_report)
+std::string save_outputs(const CommandLine& command_line,
+                         const PointTable& points,
+                         Reconstruction& result,
+                         const std::function<void(Report&)>& complete_report)
 {
   AtomicFile mesh_file(command_line.output);
-  const PointTable vertices = points.select(result.seeds, result.report.vertices);
-  write_mesh(mesh_file, file_extension(command_line.output), vertices, result.triangles, command_line.ascii);
+  const std::string extension = output_extension(command_line);
+  const PointTable vertices = make_vertices(command_line, points, result);
+  write_mesh(mesh_file, extension, vertices, result.triangles, command_line.ascii);
   mesh_file.finish();
   std::optional<AtomicFile> voronoi_file;
   if (!command_line.voronoi_file.empty()) {
@@ -69,13 +80,9 @@ void save_outputs(const CommandLine& command_line,
       (*file)->commit();
     }
   }
-}
-
-std::string loss_warning(const CommandLine& command_line, const PointTable& points)
-{
-  const std::string extension = file_extension(command_line.output);
-  const std::string lost = lost_in_format(extension, points, command_line.ascii);
-  return lost.empty() ? "" : command_line.output + ": " + extension + " cannot hold " + lost + "; binary .ply can";
+  const std::string lost = lost_in_format(extension, vertices, command_line.ascii);
+  return lost.empty() ? ""
+                      : command_line.output + ": " + extension + " cannot hold " + lost + "; " + who_can(extension);
 }
 
 }  // namespace pds

@@ -19,14 +19,12 @@ void save_config(const CommandLine& command_line);
 
 /** \brief Writes the mesh and, if asked for, the Voronoi cells and the report: either all appear or none.
  * \param complete_report called when the meshes are written, to enter what is known only then
+ * \return what the mesh's format cannot hold, as a sentence; empty if nothing
  * \throws OutputError
  */
-void save_outputs(const CommandLine& command_line,
-                  const PointTable& points,
-                  Reconstruction& result,
-                  const std::function<void(Report&)>& complete_report);
-
-/** \brief What the mesh's format cannot hold of these points, as a sentence; empty if nothing. */
-[[nodiscard]] std::string loss_warning(const CommandLine& command_line, const PointTable& points);
+[[nodiscard]] std::string save_outputs(const CommandLine& command_line,
+                                       const PointTable& points,
+                                       Reconstruction& result,
+                                       const std::function<void(Report&)>& complete_report);
 
 }  // namespace pds

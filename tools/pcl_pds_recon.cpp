@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command tool: reads a point cloud, reconstructs its surface, writes the mesh.
 #include "command_line.h"
-#include "io/read_points.h"
+#include "input.h"
 #include "option_table.h"
 #include "outputs.h"
 #include "progress.h"
 
-#include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/reconstruction.h>
 
 #include <spdlog/fmt/fmt.h>
@@ -16,7 +15,9 @@
 #include <initializer_list>
 #include <iostream>
 #include <new>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace pds
 {
@@ -80,7 +81,7 @@ Reconstruction reconstruct_table(const PointTable& points, const CommandLine& co
     }
     return result;
   } catch (const InvalidInput& error) {
-    throw InvalidInput(command_line.input + ": " + error.what());
+    throw InvalidInput(input_name(command_line) + ": " + error.what());
   }
 }
 
@@ -119,22 +120,25 @@ void run(const CommandLine& command_line)
   print_options(command_line, progress);
 
   progress.start_stage("load", 0);
-  const PointTable points = read_points(command_line.input, Parallel(command_line.options.threads));
+  std::vector<std::string> warnings;
+  const PointTable points = load_points(command_line, warnings);
   const double load_seconds = since_start.seconds();
 
   Reconstruction result = reconstruct_table(points, command_line, progress);
 
   progress.start_stage("save", 1 - save_share);
   const Stopwatch since_save;
-  save_outputs(command_line, points, result, [&](Report& report) {
+  warnings.push_back(save_outputs(command_line, points, result, [&](Report& report) {
     report.seconds.load = load_seconds;
     report.seconds.save = since_save.seconds();
     report.seconds.total = since_start.seconds();
     report.peak_rss_bytes = peak_rss_bytes();
-  });
+  }));
   progress.finish();
-  if (const std::string warning = loss_warning(command_line, points); !warning.empty()) {
-    progress.warn(warning);
+  for (const std::string& warning : warnings) {
+    if (!warning.empty()) {
+      progress.warn(warning);
+    }
   }
   print_summary(result.report, progress);
 }

@@ -51,7 +51,7 @@ class Config : public TemporaryDirectory
 TEST(CommandLineTest, defaults_are_those_of_the_contract)
 {
   const CommandLine command_line = parse_with_files({});
-  EXPECT_EQ(command_line.input, "in.ply");
+  EXPECT_EQ(command_line.inputs, std::vector<std::string>{"in.ply"});
   EXPECT_EQ(command_line.output, "out.ply");
   EXPECT_EQ(command_line.options.k_neighbors, 15);
   EXPECT_EQ(command_line.options.radius_factor, 3);
@@ -86,6 +86,22 @@ TEST(CommandLineTest, takes_short_and_long_names)
   EXPECT_EQ(c.voronoi_file, "v.ply");
   EXPECT_TRUE(c.ascii);
   EXPECT_EQ(c.verbosity, Verbosity::detailed);
+}
+
+TEST(CommandLineTest, takes_several_inputs_streams_classes_and_normals)
+{
+  const CommandLine command_line = parse({"a.ply", "b.pcd", "-", "--class", "2,6,255", "--normals", "-"});
+  EXPECT_EQ(command_line.inputs, (std::vector<std::string>{"a.ply", "b.pcd", "-"}));
+  EXPECT_EQ(command_line.output, "-");
+  EXPECT_EQ(output_extension(command_line), ".ply");
+  EXPECT_EQ(command_line.classes, (std::vector<std::uint8_t>{2, 6, 255}));
+  EXPECT_TRUE(command_line.normals);
+  EXPECT_TRUE(parse_with_files({}).classes.empty());
+  EXPECT_FALSE(parse_with_files({}).normals);
+  for (const char* bad : {"", ",", "2;6", "256", "-1", "2.5", "ground"}) {
+    EXPECT_TRUE(contains(complaint_with_files({std::string("--class=") + bad}), "--class")) << bad;
+  }
+  EXPECT_TRUE(contains(complaint({"a.ply", "a.ply", "out.ply"}), "named twice"));
 }
 
 TEST(CommandLineTest, names_the_option_that_is_no_number)
@@ -125,7 +141,6 @@ TEST(CommandLineTest, rejects_what_it_does_not_know)
   EXPECT_TRUE(contains(complaint_with_files({"--rad", "1"}), "rad")) << "an abbreviation";
   EXPECT_TRUE(contains(complaint_with_files({"-k", "9", "-k", "10"}), "k-neighbors")) << "given twice";
   EXPECT_TRUE(contains(complaint_with_files({"-q", "-v"}), "-q and -v"));
-  EXPECT_TRUE(contains(complaint_with_files({"third.ply"}), "INPUT"));
   EXPECT_TRUE(contains(complaint({"in.ply"}), "OUTPUT"));
   EXPECT_TRUE(contains(complaint({}), "INPUT"));
   EXPECT_TRUE(contains(complaint({"in.ply", "out.ply", "-k"}), "k-neighbors"));
@@ -172,6 +187,9 @@ TEST_F(Config, round_trip_gives_the_same_run)
                                               "3",
                                               "--seed",
                                               "9",
+                                              "--class",
+                                              "2,6",
+                                              "--normals",
                                               "--ascii",
                                               "--report",
                                               "my report.json",
@@ -184,6 +202,8 @@ TEST_F(Config, round_trip_gives_the_same_run)
   EXPECT_EQ(loaded.options.radius_factor, 2.3000000000000003);
   EXPECT_EQ(loaded.options.radius, 1e-7);
   EXPECT_EQ(loaded.report_file, "my report.json");
+  EXPECT_EQ(loaded.classes, saved.classes);
+  EXPECT_TRUE(loaded.normals);
   EXPECT_TRUE(loaded.ascii);
   EXPECT_EQ(loaded.verbosity, Verbosity::detailed);
 

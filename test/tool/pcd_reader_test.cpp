@@ -8,6 +8,9 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
+#include <cmath>
+#include <cstring>
+
 namespace pds
 {
 namespace
@@ -48,11 +51,13 @@ TEST_F(PcdReader, reads_binary_doubles_padding_arrays_and_wide_integers)
 {
   const std::string fields = "FIELDS x y z _ pair time\nSIZE 8 8 8 1 2 8\nTYPE F F F U I U\nCOUNT 1 1 1 3 2 1\n";
   const std::string row = bytes_of(500000.001) + bytes_of(5234567.123) + bytes_of(1.0) + "abc" +
-                          bytes_of(std::int16_t{-5}) + bytes_of(std::int16_t{6}) + bytes_of(std::uint64_t{1} << 40);
+                          bytes_of(std::int16_t{-5}) + bytes_of(std::int16_t{6}) +
+                          bytes_of((std::uint64_t{1} << 60) + 1);
   const PointTable table = parse(header(fields, "2", "binary") + row + row);
   EXPECT_EQ(describe_fields(table), "x:double y:double z:double pair_0:short pair_1:short time:double");
   ASSERT_EQ(table.size(), 2U);
-  EXPECT_EQ(row_values(table, 1), (Values{500000.001, 5234567.123, 1, -5, 6, 1099511627776.0}));
+  EXPECT_EQ(row_values(table, 1), (Values{500000.001, 5234567.123, 1, -5, 6, std::ldexp(1.0, 60)}));
+  EXPECT_EQ(std::memcmp(table.record(1) + table.find("time")->offset, row.data() + row.size() - 8, 8), 0) << "all bits";
 }
 
 TEST_F(PcdReader, reads_what_pcl_compressed)

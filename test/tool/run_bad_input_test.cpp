@@ -28,12 +28,17 @@ TEST_F(RunBadInput, is_named_in_one_line_and_leaves_no_output)
   write("one.xyz", "1 2 3\n");
   write("line.xyz", "0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4\n5 5 5\n6 6 6\n7 7 7\n");
   write("cloud.las", "LASF");
+  write("empty.las", "");
+  write("empty.laz", "");
+  write("text.laz", "1 2 3\n");
+  write("text.e57", "1 2 3\n");
   write("cloud", "1 2 3\n");
   write("broken.pcd", "# .PCD v0.7\n");
   std::filesystem::create_directory(path("directory.ply"));
   const Names before = files();
   for (const char* name : {"empty.ply", "header.ply", "lying.ply", "no_z.csv", "comment.txt", "nan.xyz", "one.xyz",
-                           "line.xyz", "cloud.las", "cloud", "broken.pcd", "directory.ply", "missing.ply"}) {
+                           "line.xyz", "cloud.las", "empty.las", "empty.laz", "text.laz", "text.e57", "cloud",
+                           "broken.pcd", "directory.ply", "missing.ply"}) {
     EXPECT_EQ(run(std::string("-q ") + name + " out.ply"), 1) << name;
     EXPECT_TRUE(complained_of(std::string(name) + ": ")) << name;
     EXPECT_TRUE(complained_of("; ")) << name << ": how to mend it";

@@ -5,6 +5,9 @@
 #include "reader_testing.h"
 #include "temporary_directory.h"
 
+#include <cmath>
+#include <cstring>
+
 namespace pds
 {
 namespace
@@ -129,6 +132,44 @@ TEST_F(WriteMesh, vtk_formats_name_the_fields)
   EXPECT_TRUE(contains(read("mesh.vtp"), "500000.001 5234567.123 0.3333333333333333"));
 }
 
+TEST_F(WriteMesh, wide_integers_become_doubles_in_ply_which_says_if_that_rounds)
+{
+  PointTable points({{"x", ScalarType::float32},
+                     {"y", ScalarType::float32},
+                     {"z", ScalarType::float32},
+                     {"time", ScalarType::uint64},
+                     {"id", ScalarType::int64}},
+                    3);
+  const std::uint64_t time = (std::uint64_t{1} << 60) + 1;
+  const std::int64_t id = -(std::int64_t{1} << 40);
+  std::memcpy(points.record(1) + points.find("time")->offset, &time, sizeof time);
+  std::memcpy(points.record(1) + points.find("id")->offset, &id, sizeof id);
+  const PointTable same = read_points(save("mesh.ply", points), Parallel(1));
+  EXPECT_EQ(describe_fields(same), "x:float y:float z:float time:double id:double");
+  EXPECT_EQ(row_values(same, 1), (Values{0, 0, 0, std::ldexp(1.0, 60), -std::ldexp(1.0, 40)}));
+  EXPECT_EQ(lost_in_format(".ply", points, false), "the last digits of time");
+  EXPECT_EQ(lost_in_format(".vtp", points, false), "");
+#ifdef PCL_PDS_RECON_WITH_VTK
+  save("mesh.vtp", points, true);
+  EXPECT_TRUE(contains(read("mesh.vtp"), "1152921504606846977"));
+#endif
+}
+
+TEST_F(WriteMesh, obj_holds_sixteen_bit_colors)
+{
+  PointTable points({{"x", ScalarType::float32},
+                     {"y", ScalarType::float32},
+                     {"z", ScalarType::float32},
+                     {"red", ScalarType::uint16},
+                     {"green", ScalarType::uint16},
+                     {"blue", ScalarType::uint16}},
+                    3);
+  points.set_value(0, *points.find("red"), 65535);
+  save("mesh.obj", points);
+  EXPECT_TRUE(contains(read("mesh.obj"), "v 0 0 0 1 0 0\n"));
+  EXPECT_EQ(lost_in_format(".obj", points, false), "");
+}
+
 TEST(LostInFormat, names_what_a_format_cannot_hold)
 {
   const PointTable points = utm_points();
@@ -137,6 +178,7 @@ TEST(LostInFormat, names_what_a_format_cannot_hold)
   EXPECT_EQ(lost_in_format(".vtk", points, false), "");
   EXPECT_EQ(lost_in_format(".vtk", points, true), "the last digits of the coordinates");
   EXPECT_EQ(lost_in_format(".obj", points, false), "the fields intensity class");
+  EXPECT_EQ(lost_in_format(".glb", points, false), "the fields intensity class and the last digits of the coordinates");
   EXPECT_EQ(lost_in_format(".stl", points, false),
             "the fields nx ny nz red green blue intensity class and the last digits of the coordinates");
 }

@@ -2,12 +2,14 @@
 #include "io/atomic_file.h"
 
 #include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace pds
 {
@@ -78,16 +80,22 @@ fs::path directory_of(const std::string& path)
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path)
-    : path_(resolve_link(path)),
-      temporary_path_(path_ + "." + std::to_string(getpid()) + ".part"),
-      signal_slot_(occupy_slot(temporary_path_))
+AtomicFile::AtomicFile(const std::string& path) : path_(path)
 {
-  stream_ = std::fopen(temporary_path_.c_str(), "wbx");
+  if (path == standard_stream) {
+    path_ = "standard output";
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that went away fails write() instead of killing the process
+    return;
+  }
+  path_ = resolve_link(path);
+  const std::string temporary_path = path_ + "." + std::to_string(getpid()) + ".part";
+  signal_slot_ = occupy_slot(temporary_path);
+  stream_ = std::fopen(temporary_path.c_str(), "wbx");
   if (!stream_) {
     slots[signal_slot_].used = 0;
     throw_errno();
   }
+  temporary_path_ = temporary_path;
 }
 
 AtomicFile::~AtomicFile()
@@ -110,12 +118,17 @@ void AtomicFile::remove()
 
 void AtomicFile::throw_errno() const
 {
-  throw OutputError(path_ + ": cannot be written (" + std::strerror(errno) +
-                    "); make room or choose another place for it");
+  const char* remedy =
+      errno == EPIPE ? "look at the command that reads the pipe" : "make room or choose another place for it";
+  throw OutputError(path_ + ": cannot be written (" + std::strerror(errno) + "); " + remedy);
 }
 
 void AtomicFile::write(const void* bytes, std::size_t size)
 {
+  if (!stream_) {
+    waiting_.append(static_cast<const char*>(bytes), size);
+    return;
+  }
   if (std::fwrite(bytes, 1, size, stream_) != size) {
     throw_errno();
   }
@@ -123,15 +136,30 @@ void AtomicFile::write(const void* bytes, std::size_t size)
 
 void AtomicFile::finish()
 {
-  std::FILE* stream = stream_;
-  stream_ = nullptr;
-  if (std::fclose(stream) != 0) {
+  std::FILE* stream = std::exchange(stream_, nullptr);
+  if (stream && std::fclose(stream) != 0) {
     throw_errno();
   }
 }
 
+void AtomicFile::send_to_standard_output()
+{
+  for (std::size_t done = 0; done < waiting_.size();) {
+    const ssize_t count = ::write(STDOUT_FILENO, waiting_.data() + done, waiting_.size() - done);
+    if (count < 0 && errno != EINTR) {
+      throw_errno();
+    }
+    done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  }
+  waiting_.clear();
+}
+
 void AtomicFile::commit()
 {
+  if (temporary_path_.empty()) {
+    send_to_standard_output();
+    return;
+  }
   if (std::rename(temporary_path_.c_str(), path_.c_str()) != 0) {
     throw_errno();
   }
@@ -141,6 +169,9 @@ void AtomicFile::commit()
 
 void check_writable(const std::string& path)
 {
+  if (path == standard_stream) {
+    return;
+  }
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {

@@ -15,10 +15,13 @@ struct OutputError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/** \brief What stands for standard input and standard output in place of a file's name. */
+constexpr const char* standard_stream = "-";
+
 /** \brief A file that appears under its name only when it is complete.
  *
  * The bytes go to a temporary file beside it, which commit() renames. It is removed if commit() is not reached: by an
- * exception, or by SIGINT, SIGTERM or SIGHUP.
+ * exception, or by SIGINT, SIGTERM or SIGHUP. The bytes for standard output wait in memory for commit().
  */
 class AtomicFile
 {
@@ -42,9 +45,12 @@ class AtomicFile
   [[noreturn]] void throw_errno() const;
   void remove();
 
+  void send_to_standard_output();
+
   std::string path_;
-  std::string temporary_path_;
-  std::size_t signal_slot_;
+  std::string temporary_path_;  ///< empty for standard output, and after commit()
+  std::size_t signal_slot_ = 0;
+  std::string waiting_;  ///< for standard output
   std::FILE* stream_ = nullptr;
 };
 

@@ -13,8 +13,6 @@ namespace pds
 namespace
 {
 
-constexpr double greatest_color = 255;  // of a byte; OBJ has colours in 0 ... 1
-
 void append_fields(AsciiWriter& writer,
                    const PointTable& points,
                    std::size_t row,
@@ -34,10 +32,12 @@ void append_fields(AsciiWriter& writer,
 void write_obj(AtomicFile& file, const PointTable& points, const Triangles& triangles)
 {
   AsciiWriter writer(file);
+  const std::optional<ScalarType> color_type = points.color_type();
+  const double greatest_color = color_type == ScalarType::uint16 ? 65535 : 255;  // OBJ has colours in 0 ... 1
   for (std::size_t row = 0; row < points.size(); ++row) {
     writer.append("v");
     append_fields(writer, points, row, {"x", "y", "z"});
-    if (points.has_byte_colors()) {
+    if (color_type) {
       for (const char* channel : {"red", "green", "blue"}) {
         writer.append_number(points.value(row, *points.find(channel)) / greatest_color);
       }

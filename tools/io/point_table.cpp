@@ -122,12 +122,17 @@ const Field* PointTable::find(const std::string& name) const
   return found == fields_.end() ? nullptr : &*found;
 }
 
-bool PointTable::has_byte_colors() const
+std::optional<ScalarType> PointTable::color_type() const
 {
-  return std::all_of(color_names.begin(), color_names.end(), [this](const char* name) {
-    const Field* field = find(name);
-    return field && field->type == ScalarType::uint8;
-  });
+  for (const ScalarType type : {ScalarType::uint8, ScalarType::uint16}) {
+    if (std::all_of(color_names.begin(), color_names.end(), [this, type](const char* name) {
+          const Field* field = find(name);
+          return field && field->type == type;
+        })) {
+      return type;
+    }
+  }
+  return std::nullopt;
 }
 
 double PointTable::value(std::size_t i, const Field& field) const

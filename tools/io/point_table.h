@@ -104,10 +104,14 @@ class PointTable
 
   [[nodiscard]] bool has_double_positions() const { return fields_.front().type == ScalarType::float64; }
   [[nodiscard]] bool has_normals() const { return has_normals_; }
-  [[nodiscard]] bool has_byte_colors() const;  ///< red, green and blue, each uchar
+
+  /** \brief The type of red, green and blue if they are colours: all uchar, 0 ... 255, or all ushort, 0 ... 65535. */
+  [[nodiscard]] std::optional<ScalarType> color_type() const;
 
   /** \brief Where the sensor stood, if the file says so. */
   std::optional<Eigen::Vector3d> sensor_origin;
+
+  std::string not_read;  ///< what the file holds besides, as the end of a sentence; empty if nothing
 
   /** \brief The rows of the first \a count of these indices, in their order. */
   [[nodiscard]] PointTable select(const std::vector<std::uint32_t>& indices, std::size_t count) const;

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/read_points.h"
 
+#include "io/atomic_file.h"
 #include "io/byte_source.h"
 #include "io/file_extension.h"
+#include "io/las_reader.h"
 #include "io/obj_reader.h"
 #include "io/pcd_reader.h"
 #include "io/ply_reader.h"
 #include "io/text_reader.h"
 
 #include <pcl_pds_recon/options.h>
+
+#ifdef PCL_PDS_RECON_WITH_PDAL
+#include "io/pdal_reader.h"
+#endif
 
 namespace pds
 {
@@ -21,14 +27,40 @@ PointTable read_text_format(const std::string& path, PointTable (*reader)(std::s
   return reader(ByteSource::from_file(path).all());
 }
 
+/** A pipe has no name to tell the format by, but a PLY file says what it is. */
+PointTable read_standard_input(const Parallel& parallel)
+{
+  const ByteSource source = ByteSource::from_standard_input();
+  return source.head(3) == "ply" ? read_ply(source, parallel) : read_pcd(source, parallel);
+}
+
+PointTable read_with_pdal_if_built([[maybe_unused]] const std::string& path)
+{
+#ifdef PCL_PDS_RECON_WITH_PDAL
+  return read_with_pdal(path);
+#else
+  throw InvalidInput("cannot be read in this build without PDAL; convert it to .las or .ply");
+#endif
+}
+
 PointTable read_by_extension(const std::string& path, const Parallel& parallel)
 {
+  if (path == standard_stream) {
+    return read_standard_input(parallel);
+  }
   const std::string extension = file_extension(path);
   if (extension == ".ply") {
     return read_ply(ByteSource::from_file(path), parallel);
   }
   if (extension == ".pcd") {
     return read_pcd(ByteSource::from_file(path), parallel);
+  }
+  if (extension == ".las") {
+    return read_las(ByteSource::from_file(path), parallel);
+  }
+  if (extension == ".laz" || extension == ".e57") {
+    static_cast<void>(ByteSource::from_file(path));  // says in our words if there is no such file
+    return read_with_pdal_if_built(path);
   }
   if (extension == ".obj") {
     return read_text_format(path, read_obj);
@@ -37,7 +69,7 @@ PointTable read_by_extension(const std::string& path, const Parallel& parallel)
     return read_text_format(path, read_text);
   }
   throw InvalidInput("cannot tell the format by the extension '" + extension +
-                     "'; use .pcd, .ply, .obj, .xyz, .txt or .csv");
+                     "'; use .pcd, .ply, .las, .laz, .e57, .obj, .xyz, .txt or .csv");
 }
 
 }  // namespace
@@ -51,7 +83,7 @@ PointTable read_points(const std::string& path, const Parallel& parallel)
     }
     return table;
   } catch (const InvalidInput& error) {
-    throw InvalidInput(path + ": " + error.what());
+    throw InvalidInput((path == standard_stream ? "standard input" : path) + ": " + error.what());
   }
 }
 

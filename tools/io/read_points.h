@@ -10,7 +10,8 @@
 namespace pds
 {
 
-/** \brief Reads a point cloud in the format of its extension: .pcd .ply .obj .xyz .txt .csv, in any case.
+/** \brief Reads a point cloud in the format of its extension: .pcd .ply .las .obj .xyz .txt .csv, in any case, and in a
+ * build with PDAL .laz (COPC too) and .e57; PCD or PLY from standard input if \a path is "-".
  * \throws InvalidInput with one line that names the file, what is wrong and how to mend it
  */
 [[nodiscard]] PointTable read_points(const std::string& path, const Parallel& parallel);

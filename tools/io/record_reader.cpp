@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <type_traits>
 
 namespace pds
 {
@@ -56,13 +55,11 @@ void copy_column(const std::byte* records,
   const Field& field = *table.find(column.name);
   const std::byte* source = records + column.offset;
   std::byte* target = table.record(row) + field.offset;
-  visit_scalar(column.type, [&](auto zero) {
-    using Scalar = decltype(zero);
-    if (field.type == column.type) {
-      copy_scalars<Scalar, Scalar>(source, layout.record_bytes, target, table.record_bytes(), count);
-    } else {  // a coordinate that is not of floating-point type, or not of the others' type
-      copy_scalars<Scalar, double>(source, layout.record_bytes, target, table.record_bytes(), count);
-    }
+  visit_scalar(column.type, [&](auto source_zero) {
+    visit_scalar(field.type, [&](auto target_zero) {
+      copy_scalars<decltype(source_zero), decltype(target_zero)>(source, layout.record_bytes, target,
+                                                                 table.record_bytes(), count);
+    });
   });
 }
 

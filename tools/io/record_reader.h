@@ -33,7 +33,10 @@ struct RecordLayout
 /** \brief A table of \a size rows whose fields are those of the columns. \throws InvalidInput as PointTable */
 [[nodiscard]] PointTable make_table(const std::vector<Column>& columns, std::size_t size);
 
-/** \brief Copies \a count records, in the byte order of this machine, into the rows of \a table from \a row on. */
+/** \brief Copies \a count records, in the byte order of this machine, into the rows of \a table from \a row on.
+ *
+ * The table has a field for each column, of its type or of one that holds its values.
+ */
 void copy_records(
     const std::byte* records, const RecordLayout& layout, std::size_t count, PointTable& table, std::size_t row);
 

@@ -80,7 +80,7 @@ bool is_one_of(const std::string& name, Names names)
 
 void add_fields(const PointTable& points, vtkPointData& data)
 {
-  const bool has_colors = points.has_byte_colors();
+  const bool has_colors = points.color_type().has_value();
   if (points.has_normals()) {
     const auto normals = make_array(points, {"nx", "ny", "nz"});
     normals->SetName("Normals");

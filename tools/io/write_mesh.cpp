@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/write_mesh.h"
 
+#include "io/glb_writer.h"
 #include "io/obj_writer.h"
 #include "io/stl_writer.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
+#include <cstring>
+#include <limits>
 
 #ifdef PCL_PDS_RECON_WITH_VTK
 #include "io/vtk_writer.h"
@@ -22,36 +26,67 @@ bool is_held(const std::string& extension, const PointTable& points, const std::
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   const bool holds_positions_only = extension == ".stl";
-  const bool holds_attributes = extension != ".stl" && extension != ".obj";
+  const bool holds_attributes = extension != ".stl" && extension != ".obj" && extension != ".glb";
   return holds_attributes || is_one_of({"x", "y", "z"}) ||
          (!holds_positions_only && points.has_normals() && is_one_of({"nx", "ny", "nz"})) ||
-         (!holds_positions_only && points.has_byte_colors() && is_one_of({"red", "green", "blue"}));
+         (!holds_positions_only && points.color_type() && is_one_of({"red", "green", "blue"}));
 }
+
+/** Whether a double takes all values of this field. */
+bool fits_double(const PointTable& points, const Field& field)
+{
+  if (field.type != ScalarType::int64 && field.type != ScalarType::uint64) {
+    return true;
+  }
+  const std::uint64_t exact = std::uint64_t{1} << std::numeric_limits<double>::digits;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    std::uint64_t value = 0;
+    std::memcpy(&value, points.record(row) + field.offset, sizeof value);
+    const bool is_negative = field.type == ScalarType::int64 && value > std::numeric_limits<std::uint64_t>::max() / 2;
+    if ((is_negative ? 0 - value : value) > exact) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string list(const std::vector<std::string>& names) { return boost::algorithm::join(names, " "); }
 
 }  // namespace
 
 std::vector<std::string> mesh_extensions()
 {
 #ifdef PCL_PDS_RECON_WITH_VTK
-  return {".ply", ".obj", ".stl", ".vtk", ".vtp"};
+  return {".ply", ".obj", ".stl", ".glb", ".vtk", ".vtp"};
 #else
-  return {".ply", ".obj", ".stl"};
+  return {".ply", ".obj", ".stl", ".glb"};
 #endif
 }
 
 std::string lost_in_format(const std::string& extension, const PointTable& points, bool ascii)
 {
-  std::string lost;
+  std::vector<std::string> lost_fields;
+  std::vector<std::string> rounded_fields;
   for (const Field& field : points.fields()) {
     if (!is_held(extension, points, field.name)) {
-      lost += (lost.empty() ? "the fields " : " ") + field.name;
+      lost_fields.push_back(field.name);
+    } else if (extension == ".ply" && !fits_double(points, field)) {
+      rounded_fields.push_back(field.name);
     }
   }
   const bool rounds_all = extension == ".vtk" && ascii;
-  if (rounds_all || (extension == ".stl" && points.has_double_positions())) {
-    lost += std::string(lost.empty() ? "" : " and ") + "the last digits of the coordinates";
+  const bool is_single_precision = extension == ".stl" || extension == ".glb";
+  std::vector<std::string> losses;
+  if (!lost_fields.empty()) {
+    losses.push_back("the fields " + list(lost_fields));
   }
-  return lost;
+  if (!rounded_fields.empty()) {
+    losses.push_back("the last digits of " + list(rounded_fields));
+  }
+  if (rounds_all || (is_single_precision && points.has_double_positions())) {
+    losses.emplace_back("the last digits of the coordinates");
+  }
+  return boost::algorithm::join(losses, " and ");
 }
 
 void write_mesh(
@@ -63,6 +98,8 @@ void write_mesh(
     write_obj(file, points, triangles);
   } else if (extension == ".stl") {
     write_stl(file, points, triangles, ascii);
+  } else if (extension == ".glb") {
+    write_glb(file, points, triangles);
   } else {
 #ifdef PCL_PDS_RECON_WITH_VTK
     const std::string bytes = render_with_vtk(extension, points, triangles, ascii);

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/glb_writer.h"
+
+#include <pcl_pds_recon/version.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace pds
+{
+
+namespace
+{
+
+using Json = nlohmann::json;
+
+// Codes of glTF 2.0, sections 3.6 and 5.1.
+constexpr int code_unsigned_short = 5123;
+constexpr int code_unsigned_int = 5125;
+constexpr int code_float = 5126;
+constexpr int code_vertices = 34962;
+constexpr int code_indices = 34963;
+constexpr std::uint32_t code_glb = 0x46546C67;     // "glTF"
+constexpr std::uint32_t code_json = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t code_binary = 0x004E4942;  // "BIN"
+
+/** The description of the file and the bytes that it describes. */
+class GltfBuilder
+{
+ public:
+  /** \brief Appends an array of vectors. \return its number */
+  template <typename Number, std::size_t Size>
+  int add(const std::vector<std::array<Number, Size>>& vectors, int number_code, const char* type, int target)
+  {
+    const std::size_t bytes = vectors.size() * sizeof vectors.front();
+    views_.push_back({{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes}, {"target", target}});
+    binary_.append(reinterpret_cast<const char*>(vectors.data()), bytes);
+    binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
+    const int scalars = std::strcmp(type, "SCALAR") == 0 ? static_cast<int>(Size) : 1;
+    accessors_.push_back({{"bufferView", views_.size() - 1},
+                          {"componentType", number_code},
+                          {"count", vectors.size() * static_cast<std::size_t>(scalars)},
+                          {"type", type}});
+    return static_cast<int>(accessors_.size()) - 1;
+  }
+
+  Json& accessor(int number) { return accessors_[static_cast<std::size_t>(number)]; }
+
+  /** \brief The whole file. */
+  [[nodiscard]] std::string finish(const Json& attributes, int indices, const Eigen::Vector3d& translation) const
+  {
+    const Json material = {{"doubleSided", true},
+                           {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+    Json node = {{"mesh", 0}};
+    if (!translation.isZero(0)) {
+      node["translation"] = {translation.x(), translation.y(), translation.z()};
+    }
+    const Json description = {
+        {"asset", {{"version", "2.0"}, {"generator", "pcl_pds_recon " PCL_PDS_RECON_VERSION}}},
+        {"scene", 0},
+        {"scenes", {{{"nodes", {0}}}}},
+        {"nodes", {node}},
+        {"meshes", {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}}},
+        {"materials", {material}},
+        {"accessors", accessors_},
+        {"bufferViews", views_},
+        {"buffers", {{{"byteLength", binary_.size()}}}}};
+    std::string text = description.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const auto length = [](std::size_t bytes) { return static_cast<std::uint32_t>(bytes); };
+    constexpr std::size_t head_bytes = 12;
+    constexpr std::size_t chunk_head_bytes = 8;
+    constexpr std::uint32_t version = 2;
+    std::string file;
+    append(file, {code_glb, version, length(head_bytes + 2 * chunk_head_bytes + text.size() + binary_.size())});
+    append(file, {length(text.size()), code_json});
+    file += text;
+    append(file, {length(binary_.size()), code_binary});
+    file += binary_;
+    return file;
+  }
+
+  [[nodiscard]] std::size_t bytes() const { return binary_.size(); }
+
+ private:
+  static void append(std::string& file, std::initializer_list<std::uint32_t> numbers)
+  {
+    file.append(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(std::uint32_t));
+  }
+
+  Json views_ = Json::array();
+  Json accessors_ = Json::array();
+  std::string binary_;
+};
+
+/** Positions of a float cloud stay to the last bit. */
+Eigen::Vector3d find_origin(const PointTable& points)
+{
+  Eigen::AlignedBox3d box;
+  if (points.has_double_positions()) {
+    const Vector3View positions = points.view().positions;
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      box.extend(positions[row]);
+    }
+  }
+  return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.center());
+}
+
+int add_positions(GltfBuilder& builder, const PointTable& points, const Eigen::Vector3d& origin)
+{
+  const Vector3View view = points.view().positions;
+  std::vector<std::array<float, 3>> positions(points.size());
+  Eigen::AlignedBox3f box;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    const Eigen::Vector3f position = (view[row] - origin).cast<float>();
+    positions[row] = {position.x(), position.y(), position.z()};
+    box.extend(position);
+  }
+  const int number = builder.add(positions, code_float, "VEC3", code_vertices);
+  builder.accessor(number)["min"] = {box.min().x(), box.min().y(), box.min().z()};
+  builder.accessor(number)["max"] = {box.max().x(), box.max().y(), box.max().z()};
+  return number;
+}
+
+/** glTF wants unit normals; a point without one gets one that faces up. */
+int add_normals(GltfBuilder& builder, const PointTable& points)
+{
+  const Vector3View view = points.view().normals;
+  std::vector<std::array<float, 3>> normals(points.size());
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    const Eigen::Vector3d unit = view[row].stableNormalized();
+    const bool is_normal = unit.allFinite() && !unit.isZero(0);
+    const Eigen::Vector3f normal = (is_normal ? unit : Eigen::Vector3d(0, 0, 1)).cast<float>();
+    normals[row] = {normal.x(), normal.y(), normal.z()};
+  }
+  return builder.add(normals, code_float, "VEC3", code_vertices);
+}
+
+/** The transfer function of sRGB (IEC 61966-2-1) from 0 ... 1 to 0 ... 1. */
+double linear_of_srgb(double value)
+{
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+int add_colors(GltfBuilder& builder, const PointTable& points, ScalarType type)
+{
+  constexpr std::uint16_t opaque = std::numeric_limits<std::uint16_t>::max();
+  const double greatest = type == ScalarType::uint16 ? 65535 : 255;
+  std::vector<std::array<std::uint16_t, 4>> colors(points.size(), {0, 0, 0, opaque});
+  std::size_t channel = 0;
+  for (const char* name : {"red", "green", "blue"}) {
+    const Field& field = *points.find(name);
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      const double value = linear_of_srgb(points.value(row, field) / greatest);
+      colors[row][channel] = static_cast<std::uint16_t>(std::lround(value * opaque));
+    }
+    ++channel;
+  }
+  const int number = builder.add(colors, code_unsigned_short, "VEC4", code_vertices);
+  builder.accessor(number)["normalized"] = true;
+  return number;
+}
+
+}  // namespace
+
+void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+{
+  const Eigen::Vector3d origin = find_origin(points);
+  GltfBuilder builder;
+  Json attributes = {{"POSITION", add_positions(builder, points, origin)}};
+  if (points.has_normals()) {
+    attributes["NORMAL"] = add_normals(builder, points);
+  }
+  if (const auto type = points.color_type()) {
+    attributes["COLOR_0"] = add_colors(builder, points, *type);
+  }
+  const int indices = builder.add(triangles, code_unsigned_int, "SCALAR", code_indices);
+  if (builder.bytes() > std::numeric_limits<std::uint32_t>::max() / 2) {
+    throw OutputError("the mesh is larger than the 4 GiB that glTF allows; write .ply");
+  }
+  const std::string bytes = builder.finish(attributes, indices, origin);
+  file.write(bytes.data(), bytes.size());
+}
+
+}  // namespace pds

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/ply_writer.h"
+
+namespace pds
+{
+
+/** \brief Writes a mesh as binary glTF 2.0 (.glb), as browsers and Blender open it: positions, normals and colours.
+ *
+ * glTF has single-precision positions only, so those of a double-precision cloud are relative to the middle of the
+ * mesh, whose place is the translation of its node. Axes are those of the cloud. Colours are taken for sRGB, as
+ * scanners and cameras write them, and made linear, as glTF wants them. VTK 9.1 writes glTF as text only, and needs a
+ * window for it. \throws OutputError if the file cannot be written
+ */
+void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles);
+
+}  // namespace pds

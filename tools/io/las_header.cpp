@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/las_header.h"
+
+#include <pcl_pds_recon/options.h>
+
+#include <algorithm>
+#include <boost/endian/conversion.hpp>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+namespace pds
+{
+
+namespace
+{
+
+static_assert(boost::endian::order::native == boost::endian::order::little, "LAS files are little endian");
+
+// ASPRS LAS 1.4 R15, table 3: places in the public header block.
+constexpr std::size_t minor_version_at = 25;
+constexpr std::size_t begin_at = 96;
+constexpr std::size_t point_format_at = 104;
+constexpr std::size_t record_bytes_at = 105;
+constexpr std::size_t legacy_count_at = 107;
+constexpr std::size_t scale_at = 131;
+constexpr std::size_t offset_at = 155;
+constexpr std::size_t header_bytes = 227;  // of versions 1.0 to 1.2
+constexpr std::size_t count_at = 247;      // from version 1.4 on
+constexpr std::size_t header_bytes_1_4 = 375;
+
+constexpr std::array<std::size_t, 11> standard_bytes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};  // by format
+
+[[noreturn]] void throw_damaged(const std::string& what)
+{
+  throw InvalidInput("has a LAS header with " + what + ": the file is damaged; copy it again");
+}
+
+template <typename Number>
+Number get(const std::string& header, std::size_t place)
+{
+  Number number;
+  std::memcpy(&number, header.data() + place, sizeof number);
+  return number;
+}
+
+std::size_t parse_point_format(std::uint8_t code)
+{
+  constexpr std::uint8_t compressed = 0xC0;  // LASzip sets one of the two highest bits
+  if ((code & compressed) != 0) {
+    throw InvalidInput("is compressed; let its name end in .laz, which a build with PDAL reads");
+  }
+  if (code >= standard_bytes.size()) {
+    throw_damaged("the unknown point format " + std::to_string(code));
+  }
+  return code;
+}
+
+std::uint64_t parse_count(const std::string& header)
+{
+  const auto legacy_count = get<std::uint32_t>(header, legacy_count_at);
+  if (get<std::uint8_t>(header, minor_version_at) < 4) {
+    return legacy_count;
+  }
+  if (header.size() < header_bytes_1_4) {
+    throw_damaged("too few bytes for version 1.4");
+  }
+  return get<std::uint64_t>(header, count_at);
+}
+
+}  // namespace
+
+std::size_t las_standard_bytes(std::size_t point_format) { return standard_bytes.at(point_format); }
+
+LasHeader read_las_header(const ByteSource& source)
+{
+  const std::string bytes = source.head(header_bytes_1_4);
+  if (bytes.compare(0, 4, "LASF") != 0) {
+    throw InvalidInput("is not a LAS file, which starts with 'LASF'; check the file's extension");
+  }
+  if (bytes.size() < header_bytes) {
+    throw InvalidInput("the LAS header is cut short; copy the file again");
+  }
+  LasHeader header;
+  header.point_format = parse_point_format(get<std::uint8_t>(bytes, point_format_at));
+  header.record_bytes = get<std::uint16_t>(bytes, record_bytes_at);
+  header.begin = get<std::uint32_t>(bytes, begin_at);
+  header.count = parse_count(bytes);
+  header.scale = get<std::array<double, 3>>(bytes, scale_at);
+  header.offset = get<std::array<double, 3>>(bytes, offset_at);
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (header.record_bytes < las_standard_bytes(header.point_format)) {
+    throw_damaged("records shorter than their point format");
+  }
+  if (!std::all_of(header.scale.begin(), header.scale.end(), is_finite) ||
+      !std::all_of(header.offset.begin(), header.offset.end(), is_finite) ||
+      std::count(header.scale.begin(), header.scale.end(), 0.0) > 0) {
+    throw_damaged("an impossible scale or offset");
+  }
+  if (header.begin < header_bytes) {
+    throw_damaged("points inside the header");
+  }
+  if (header.begin > source.size() || header.count > (source.size() - header.begin) / header.record_bytes) {
+    throw InvalidInput("holds fewer data than its LAS header announces: the file is cut short; copy it again");
+  }
+  return header;
+}
+
+}  // namespace pds

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/byte_source.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace pds
+{
+
+/** \brief What the public header of a LAS file says about its point records. */
+struct LasHeader
+{
+  std::size_t point_format = 0;  ///< 0 ... 10
+  std::size_t record_bytes = 0;
+  std::size_t begin = 0;  ///< of the first record in the file
+  std::uint64_t count = 0;
+  std::array<double, 3> scale{};   ///< of x, y and z: coordinate = scale * integer + offset
+  std::array<double, 3> offset{};  ///< of x, y and z
+};
+
+/** \brief Reads the header of a LAS file, version 1.0 to 1.4.
+ * \throws InvalidInput if it is not one, is compressed, damaged, or announces more records than the file holds
+ */
+[[nodiscard]] LasHeader read_las_header(const ByteSource& source);
+
+/** \brief Bytes of a record of this format as the standard lays it out; a file may append more. */
+[[nodiscard]] std::size_t las_standard_bytes(std::size_t point_format);
+
+}  // namespace pds

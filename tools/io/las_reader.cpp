@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/las_reader.h"
+
+#include "io/color_depth.h"
+#include "io/las_header.h"
+#include "io/las_layout.h"
+#include "io/record_reader.h"
+
+#include <array>
+#include <cstring>
+#include <functional>
+#include <mutex>
+
+namespace pds
+{
+
+namespace
+{
+
+constexpr double scan_angle_unit = 0.006;  // degrees; of formats 6 to 10
+constexpr const char* color_names[] = {"red", "green", "blue"};
+
+/** Some records of the file, and the rows that they become. */
+struct Block
+{
+  const std::byte* records;
+  std::size_t record_bytes;
+  std::size_t begin, end;
+
+  [[nodiscard]] std::size_t size() const { return end - begin; }
+  [[nodiscard]] const std::byte* operator[](std::size_t i) const { return records + i * record_bytes; }
+};
+
+template <typename Number>
+Number get(const std::byte* bytes)
+{
+  Number number;
+  std::memcpy(&number, bytes, sizeof number);
+  return number;
+}
+
+/** The blocks of all records, read by several threads. */
+void for_each_block(const ByteSource& source,
+                    const LasHeader& header,
+                    const Parallel& parallel,
+                    const std::function<void(const Block& block)>& body)
+{
+  constexpr std::size_t block_records = std::size_t{1} << 13;  // records; they stay in the cache
+  std::vector<std::vector<std::byte>> buffers(parallel.threads());
+  parallel.blocks(static_cast<std::size_t>(header.count), block_records,
+                  [&](std::size_t begin, std::size_t end, unsigned worker) {
+                    std::vector<std::byte>& buffer = buffers[worker];
+                    buffer.resize((end - begin) * header.record_bytes);
+                    source.read(header.begin + begin * header.record_bytes, buffer.data(), buffer.size());
+                    body({buffer.data(), header.record_bytes, begin, end});
+                  });
+}
+
+ColorDepth survey_colors(const ByteSource& source,
+                         const LasHeader& header,
+                         std::size_t color_at,
+                         const Parallel& parallel)
+{
+  ColorDepth depth;
+  std::mutex mutex;
+  for_each_block(source, header, parallel, [&](const Block& block) {
+    ColorDepth block_depth;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      for (const std::uint16_t channel : get<std::array<std::uint16_t, 3>>(block[i] + color_at)) {
+        block_depth.add(channel);
+      }
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    depth.add(block_depth);
+  });
+  return depth;
+}
+
+PointTable make_table(const LasLayout& layout, std::uint16_t divisor, std::size_t size)
+{
+  std::vector<Field> fields = {{"x", ScalarType::float64}, {"y", ScalarType::float64}, {"z", ScalarType::float64}};
+  for (const Column& column : layout.columns) {
+    fields.push_back({column.name, column.type});
+  }
+  for (const Bits& bits : layout.bits) {
+    fields.push_back({bits.name, ScalarType::uint8});
+  }
+  if (layout.scan_angle_at != 0) {
+    fields.push_back({"scan_angle", ScalarType::float32});
+  }
+  for (const char* name : color_names) {
+    if (layout.has_color()) {
+      fields.push_back({name, divisor == 0 ? ScalarType::uint16 : ScalarType::uint8});
+    }
+  }
+  return PointTable(std::move(fields), size);
+}
+
+/** Calls \a convert for every record of a block and stores what it gives as the field \a name. */
+template <typename Convert>
+void fill(PointTable& table, const std::string& name, const Block& block, const Convert& convert)
+{
+  const std::size_t offset = table.find(name)->offset;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const auto scalar = convert(block[i]);
+    std::memcpy(table.record(block.begin + i) + offset, &scalar, sizeof scalar);
+  }
+}
+
+void fill_coordinates(PointTable& table, const LasHeader& header, const Block& block)
+{
+  for (std::size_t axis = 0; axis < header.scale.size(); ++axis) {
+    const double scale = header.scale[axis];
+    const double offset = header.offset[axis];
+    fill(table, table.fields()[axis].name, block, [=](const std::byte* record) {
+      return scale * get<std::int32_t>(record + axis * sizeof(std::int32_t)) + offset;
+    });
+  }
+}
+
+void fill_bits(PointTable& table, const LasLayout& layout, const Block& block)
+{
+  for (const Bits& bits : layout.bits) {
+    const unsigned mask = (1U << bits.width) - 1;
+    fill(table, bits.name, block, [&](const std::byte* record) {
+      return static_cast<std::uint8_t>(std::to_integer<unsigned>(record[bits.offset]) >> bits.shift & mask);
+    });
+  }
+}
+
+void fill_scan_angle(PointTable& table, const LasLayout& layout, const Block& block)
+{
+  fill(table, "scan_angle", block, [&](const std::byte* record) {
+    return static_cast<float>(get<std::int16_t>(record + layout.scan_angle_at) * scan_angle_unit);
+  });
+}
+
+void fill_colors(PointTable& table, const LasLayout& layout, std::uint16_t divisor, const Block& block)
+{
+  std::size_t place = layout.color_at;
+  for (const char* name : color_names) {
+    if (divisor == 0) {
+      fill(table, name, block, [=](const std::byte* record) { return get<std::uint16_t>(record + place); });
+    } else {
+      fill(table, name, block, [=](const std::byte* record) {
+        return static_cast<std::uint8_t>(get<std::uint16_t>(record + place) / divisor);
+      });
+    }
+    place += sizeof(std::uint16_t);
+  }
+}
+
+std::string what_is_not_read(const LasHeader& header)
+{
+  const bool has_waveforms = header.point_format == 4 || header.point_format == 5 || header.point_format >= 9;
+  const bool has_extra_bytes = header.record_bytes > las_standard_bytes(header.point_format);
+  std::string names = has_waveforms ? "waveforms" : "";
+  if (has_extra_bytes) {
+    names += has_waveforms ? " and extra bytes" : "extra bytes";
+  }
+  return names;
+}
+
+}  // namespace
+
+PointTable read_las(const ByteSource& source, const Parallel& parallel)
+{
+  const LasHeader header = read_las_header(source);
+  const LasLayout layout = las_layout(header.point_format);
+  const std::uint16_t divisor =
+      layout.has_color() ? survey_colors(source, header, layout.color_at, parallel).divisor() : std::uint16_t{0};
+  PointTable table = make_table(layout, divisor, static_cast<std::size_t>(header.count));
+  table.not_read = what_is_not_read(header);
+  RecordLayout plain;
+  plain.columns = layout.columns;
+  plain.record_bytes = header.record_bytes;
+  for_each_block(source, header, parallel, [&](const Block& block) {
+    fill_coordinates(table, header, block);
+    copy_records(block.records, plain, block.size(), table, block.begin);
+    fill_bits(table, layout, block);
+    if (layout.scan_angle_at != 0) {
+      fill_scan_angle(table, layout, block);
+    }
+    if (layout.has_color()) {
+      fill_colors(table, layout, divisor, block);
+    }
+  });
+  return table;
+}
+
+}  // namespace pds
