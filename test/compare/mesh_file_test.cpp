@@ -113,6 +113,9 @@ TEST_F(MeshFileTest, every_written_format_comes_back)
 {
   const MeshFile mesh = read_mesh_file(write("m.stl", binary_stl(2)), Parallel());
   for (const std::string& extension : mesh_extensions()) {
+    if (extension == ".glb") {
+      continue;  // written only
+    }
     for (const bool ascii : {false, true}) {
       AtomicFile file(path("out" + extension));
       write_mesh(file, extension, mesh.points, mesh.triangles, ascii);
