@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "thinnest_direction.h"
+#include "plane_kernel.h"
 
 namespace pds
 {
@@ -18,40 +18,6 @@ constexpr double largest_exponent = 5.0;  // c x; beyond it exp() only names out
 constexpr int fixed_point_steps = 20;
 constexpr int weight_smoothing = 3;   // rounds of averaging: a metric that jumps within a disk tears the mesh
 constexpr int feature_smoothing = 1;  // wider than noise, narrow enough to tell a crease from its flanks
-
-/** \brief Covariance of a point and its own neighbours, up to a positive factor.
- *
- * In single precision, relative to the point itself and to its farthest neighbour: nothing cancels, overflows or
- * vanishes.
- */
-Eigen::Matrix3d neighborhood_covariance(const OrderedPoints& points, const NeighborGraph& graph, std::size_t i)
-{
-  const NeighborSpan nearest = graph.nearest(i);
-  const Eigen::Vector3f& center = points.position[i];
-  const float reach = (points.position[nearest.last[-1]] - center).cwiseAbs().maxCoeff();
-  const float scale = 1.0F / reach;
-  Eigen::Array4f mean = Eigen::Array4f::Zero();
-  Eigen::Array4f squares = Eigen::Array4f::Zero();   // xx yy zz
-  Eigen::Array4f products = Eigen::Array4f::Zero();  // xy yz zx
-  for (const std::uint32_t j : nearest) {
-    const Eigen::Vector3f d = (points.position[j] - center) * scale;
-    const Eigen::Array4f xyz(d.x(), d.y(), d.z(), 0.0F);
-    const Eigen::Array4f yzx(d.y(), d.z(), d.x(), 0.0F);
-    mean += xyz;
-    squares += xyz * xyz;
-    products += xyz * yzx;
-  }
-  const auto share = static_cast<float>(1.0 / static_cast<double>(nearest.size() + 1));
-  mean *= share;
-  const Eigen::Array4f mean_yzx(mean[1], mean[2], mean[0], 0.0F);
-  squares = squares * share - mean * mean;
-  products = products * share - mean * mean_yzx;
-  Eigen::Matrix3f covariance;
-  covariance << squares[0], products[0], products[2],  //
-      products[0], squares[1], products[1],            //
-      products[2], products[1], squares[2];
-  return covariance.cast<double>();
-}
 
 /** \brief A field of the points with its mean. */
 struct Field
@@ -109,14 +75,11 @@ double largest_weight(const std::vector<float>& weights, const WeightLimits& lim
 SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
 {
   SurfaceEstimate surface;
-  surface.normal.assign(graph.size(), Eigen::Vector3f::Zero());
-  surface.curvature.assign(graph.size(), 0.0F);
-  parallel.each(graph.size(), block, [&](std::size_t i) {
-    if (graph.nearest(i).size() < 2) return;
-    const Eigen::Matrix3d covariance = neighborhood_covariance(points, graph, i);
-    const ThinnestDirection thinnest = find_thinnest_direction(covariance);
-    surface.normal[i] = thinnest.direction.cast<float>();
-    surface.curvature[i] = static_cast<float>(std::sqrt(thinnest.variance / covariance.trace()));
+  surface.normal.resize(graph.size());
+  surface.curvature.resize(graph.size());
+  const InstructionSet set = best_instruction_set();
+  parallel.blocks(graph.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+    fit_planes(set, points, graph, begin, end, surface);
   });
   return surface;
 }

@@ -147,6 +147,26 @@ TEST(NeighborGraph, IsSymmetricAndItsRowsAreOrdered)
   }
 }
 
+TEST(NeighborGraph, FilesReverseEdgesOfLargeClouds)
+{
+  const Stages stages(torus(150000));  // more than two of the blocks in which rows are filed
+  const pds::NeighborGraph& graph = stages.graph;
+  ASSERT_GT(graph.size() >> pds::NeighborGraph::base_bits, 1U);
+  const auto lists = [&](std::size_t i, std::uint32_t j) {
+    const pds::NeighborSpan own = graph.nearest(i);
+    return std::find(own.begin(), own.end(), j) != own.end();
+  };
+  std::size_t one_sided = 0;
+  for (std::uint32_t i = 0; i < graph.size(); ++i) {
+    for (const std::uint32_t j : graph.nearest(i)) one_sided += lists(j, i) ? 0 : 1;
+    for (const std::uint32_t j : graph.listed_by(i)) {
+      ASSERT_TRUE(lists(j, i) && !lists(i, j)) << i << " " << j;
+      one_sided -= 1;
+    }
+  }
+  EXPECT_EQ(one_sided, 0U) << "every edge that one end lists is filed with the other";
+}
+
 TEST(NeighborGraph, HasEveryOtherPointAsNeighbourInASmallCloud)
 {
   for (std::size_t count = 0; count <= 16; ++count) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/options.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <set>
 
 #include "core_testing.h"
 
@@ -62,6 +65,54 @@ TEST(OrderedPoints, DoesNotDependOnTheInputOrder)
   EXPECT_EQ(first.position, second.position);
   EXPECT_EQ(first.origin, second.origin);
   EXPECT_EQ(first.unit, second.unit);
+}
+
+TEST(OrderedPoints, DoesNotDependOnOrderOrThreadsWhereAStrayMakesCellsHuge)
+{
+  for (const double distance : {1e3, 1e5, 1e7}) {  // some points in a cell of the first curve; many; all
+    Points input = joined(torus(30000), torus(2000));
+    input.emplace_back(distance, 0, 0);
+    input.emplace_back(std::nan(""), 0, 0);
+    const pds::OrderedPoints first = ordered(input);
+    Random(6).shuffle(input);
+    const pds::OrderedPoints second = pds::order_points(view_of(input), pds::Parallel(3));
+    EXPECT_EQ(first.position, second.position) << distance;
+    EXPECT_EQ(first.merged_points, second.merged_points);
+    for (std::size_t i = 0; i < input.size(); ++i) {
+      if (!input[i].allFinite()) continue;
+      const Eigen::Vector3d local = (input[i] - second.origin) / second.unit;
+      EXPECT_EQ(second.position[second.rank_of_input[i]], local.cast<float>().eval());
+    }
+  }
+}
+
+TEST(OrderedPoints, PutsTheMedianAtTheOriginWhateverTheOrder)
+{
+  Random random(8);
+  Points input;
+  while (input.size() < 50001) input.emplace_back(random.normal(), std::exp(3 * random.normal()), random.below(3));
+  Eigen::Vector3d median;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const Eigen::Vector3d& p : input) values.push_back(p[axis]);
+    std::sort(values.begin(), values.end());
+    median[axis] = values[values.size() / 2];
+  }
+  EXPECT_EQ(ordered(input).origin, median);
+  // Ascending, descending, and with all of the points from which the library guesses the median on one side of it.
+  const auto by_x = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.x() < b.x(); };
+  std::sort(input.begin(), input.end(), by_x);
+  EXPECT_EQ(ordered(input).origin, median);
+  std::reverse(input.begin(), input.end());
+  EXPECT_EQ(ordered(input).origin, median);
+  constexpr std::uint32_t golden = 2654435769U;
+  std::set<std::size_t> guessed_from;
+  for (std::uint32_t i = 0; i < 4096; ++i) guessed_from.insert((std::uint64_t{i * golden} * input.size()) >> 32);
+  Points biased(input.size());
+  std::size_t front = 0;
+  std::size_t back = guessed_from.size();
+  for (std::size_t i = 0; i < input.size(); ++i) biased[i] = input[guessed_from.count(i) != 0 ? front++ : back++];
+  EXPECT_EQ(ordered(biased).origin, median);
 }
 
 TEST(OrderedPoints, KeepsMillimetresFarFromTheOrigin)
