@@ -131,7 +131,8 @@ TEST_F(MeshFileTest, every_written_format_comes_back)
 TEST_F(MeshFileTest, files_without_a_mesh_are_refused)
 {
   expect_complaint("empty.ply", "", "empty");
-  expect_complaint("a.las", "LASF", "extension");
+  expect_complaint("a.wrl", "#VRML", "extension");
+  expect_complaint("a.las", "LASF", "cut short");
   expect_complaint("broken.vtk", "nothing of the kind", "");
   expect_complaint("broken.vtp", "<VTKFile", "");
   EXPECT_THROW(static_cast<void>(read_mesh_file(path("missing.stl"), Parallel())), InvalidInput);

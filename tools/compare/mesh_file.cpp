@@ -74,7 +74,7 @@ std::vector<std::string> readable_extensions()
 #ifdef PCL_PDS_RECON_WITH_VTK_READER
           ".vtk", ".vtp",
 #endif
-          ".pcd", ".xyz", ".txt", ".csv"};
+          ".pcd", ".las", ".xyz", ".txt", ".csv"};
 }
 
 TriangleMesh to_mesh(const MeshFile& file)
