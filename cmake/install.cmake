@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Libraries, headers, and a CMake package: find_package(pcl_pds_recon) gives pcl_pds_recon::pcl_pds_recon.
+# Libraries, headers, a CMake package, find_package(pcl_pds_recon) gives pcl_pds_recon::pcl_pds_recon, and the same for
+# pkg-config. The components library, dev and tools become packages of their own, see package.cmake.
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/pcl_pds_recon")
 
@@ -15,20 +16,20 @@ endif()
 install(
   TARGETS ${installed_libraries}
   EXPORT pcl_pds_recon_targets
-  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
-  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT library
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT dev
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev
   INCLUDES
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 foreach(tool IN ITEMS pcl_pds_recon_tool pcl_pds_compare)
   if(TARGET ${tool})
-    install(TARGETS ${tool} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    install(TARGETS ${tool} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
   endif()
 endforeach()
 if(TARGET pcl_pds_recon_tool)
   foreach(plugin IN ITEMS pcl_pds_recon_vtk pcl_pds_recon_pdal)
     if(TARGET ${plugin})
-      install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/pcl_pds_recon")
+      install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/pcl_pds_recon" COMPONENT tools)
     endif()
   endforeach()
 endif()
@@ -36,6 +37,7 @@ endif()
 install(
   DIRECTORY "${PROJECT_SOURCE_DIR}/pcl_pds_recon/include/" "${PROJECT_BINARY_DIR}/pcl_pds_recon/include/"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  COMPONENT dev
   FILES_MATCHING
   PATTERN "*.h"
   PATTERN "*.hpp")
@@ -43,11 +45,18 @@ install(
 install(
   EXPORT pcl_pds_recon_targets
   NAMESPACE pcl_pds_recon::
-  DESTINATION "${package_dir}")
+  DESTINATION "${package_dir}"
+  COMPONENT dev)
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/pcl_pds_recon-config.cmake.in"
                               "${PROJECT_BINARY_DIR}/pcl_pds_recon-config.cmake" INSTALL_DESTINATION "${package_dir}")
 # Before 1.0 a new minor version may break its users.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/pcl_pds_recon-config-version.cmake"
                                  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/pcl_pds_recon-config.cmake"
-              "${PROJECT_BINARY_DIR}/pcl_pds_recon-config-version.cmake" DESTINATION "${package_dir}")
+              "${PROJECT_BINARY_DIR}/pcl_pds_recon-config-version.cmake" DESTINATION "${package_dir}" COMPONENT dev)
+
+# PCL's own module names are the same in its .pc files; what the headers need of FLANN and Boost those say.
+file(RELATIVE_PATH path_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/pcl_pds_recon.pc.in" "${PROJECT_BINARY_DIR}/pcl_pds_recon.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/pcl_pds_recon.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT library)

@@ -6,7 +6,7 @@ set -eu
 
 build="cmake ninja-build g++ libpcl-dev libeigen3-dev"
 tools="libboost-program-options-dev libembree-dev liblzf-dev libspdlog-dev nlohmann-json3-dev libvtk9-dev"
-tests="libgtest-dev libbenchmark-dev libnanoflann-dev"
+tests="dpkg-dev pkg-config libgtest-dev libbenchmark-dev libnanoflann-dev"
 checks="clang-format clang-tidy help2man git ca-certificates"
 # VTK draws through an X server; xvfb-run needs xauth, and a machine without a GPU needs Mesa's software renderer.
 demo="xvfb xauth libgl1-mesa-dri jq"

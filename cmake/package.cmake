@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Debian packages, made by cpack in the build directory: the library, what is needed to build against it, the programs.
+set(abi_version "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME pcl-pds-recon)
+set(CPACK_PACKAGE_VENDOR "the authors of pcl_pds_recon")
+set(CPACK_PACKAGE_CONTACT "the authors of pcl_pds_recon")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL library dev tools)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME "libpcl-pds-recon${abi_version}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libpcl-pds-recon-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libpcl-dev (>= 1.13)")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME pcl-pds-recon)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+# Where the programs' own libraries are, which no installed package provides yet.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/pcl_pds_recon")
+
+include(CPack)
+cpack_add_component(library)
+cpack_add_component(dev DEPENDS library)
+cpack_add_component(tools DEPENDS library)
