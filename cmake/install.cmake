@@ -21,7 +21,7 @@ install(
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev
   INCLUDES
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-foreach(tool IN ITEMS pcl_pds_recon_tool pcl_pds_compare)
+foreach(tool IN ITEMS pcl_pds_recon_tool pcl_pds_compare pcl_pds_viewer)
   if(TARGET ${tool})
     install(TARGETS ${tool} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT tools)
   endif()

@@ -6,8 +6,21 @@ find_library(LZF_LIBRARY lzf)
 find_path(LZF_INCLUDE_DIR lzf.h PATH_SUFFIXES liblzf)
 mark_as_advanced(LZF_LIBRARY LZF_INCLUDE_DIR)
 find_package(spdlog QUIET)
-find_package(VTK 9.0 QUIET COMPONENTS CommonCore CommonDataModel FiltersCore IOImage IOPLY RenderingCore
-                                      RenderingOpenGL2)
+# Parts of Debian's VTK need MPI, which CMake finds only if it may compile C.
+enable_language(C)
+find_package(
+  VTK 9.0 QUIET
+  COMPONENTS CommonCore
+             CommonDataModel
+             FiltersCore
+             FiltersSources
+             IOImage
+             IOPLY
+             InteractionStyle
+             RenderingAnnotation
+             RenderingCore
+             RenderingFreeType
+             RenderingOpenGL2)
 
 set(missing "")
 if(NOT TARGET Boost::program_options)
@@ -30,6 +43,11 @@ else()
   add_subdirectory(tools)
   if(TARGET pcl_pds_recon_compare)
     add_subdirectory(tools/compare)
+    if(VTK_FOUND)
+      add_subdirectory(tools/viewer)
+    else()
+      list(APPEND left_out "viewer and pictures of deviations (VTK not found: libvtk9-dev)")
+    endif()
   endif()
 endif()
 

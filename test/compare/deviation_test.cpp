@@ -34,6 +34,7 @@ TEST(Deviation, OfTheUnitSphereFromOneOfRadius101)
   EXPECT_NEAR(found.diagonal, 2.02 * std::sqrt(3.0), 1e-9);
   EXPECT_LT(found.normal_deviation->mean, 0.05);
   for (const double distance : found.vertex_deviation) EXPECT_NEAR(distance, -0.01, within * 0.01);
+  for (const double distance : found.face_deviation) EXPECT_NEAR(distance, -0.01, within * 0.01);
   for (const double distance : measure_deviation(outer, inner).sample_deviation) ASSERT_GT(distance, 0.0099);
 }
 

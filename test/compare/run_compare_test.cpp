@@ -110,6 +110,16 @@ TEST_F(RunCompare, writes_the_signed_deviation_of_every_vertex)
   EXPECT_NE(bytes.find(std::string(reinterpret_cast<const char*>(&deviation), sizeof deviation)), std::string::npos);
 }
 
+#ifdef PCL_PDS_RECON_WITH_RENDERING
+TEST_F(RunCompare, draws_the_deviation_without_a_display)
+{
+  write_ply("mesh.ply", make_sphere(1, 3));
+  write_ply("reference.ply", make_sphere(1.1, 3));
+  ASSERT_EQ(run("--picture out.png mesh.ply reference.ply", "env -u DISPLAY"), 0) << errors();
+  EXPECT_EQ(read("out.png").substr(1, 3), "PNG");
+}
+#endif
+
 TEST_F(RunCompare, takes_a_single_triangle_and_a_cloud)
 {
   write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -47,6 +47,9 @@ struct Deviation
    * it is a cloud without normals, where the mesh's normal points away from its nearest point. */
   std::vector<double> sample_deviation;
   std::vector<double> vertex_deviation;  ///< signed distance of each vertex of the mesh, likewise
+  /** Signed distance of the centroid of each face, likewise: where the vertices are points of the reference, only the
+   * faces show a deviation. */
+  std::vector<double> face_deviation;
 };
 
 /** \brief Measures how far a mesh is from a reference and back, by exact distances to the nearest triangle.

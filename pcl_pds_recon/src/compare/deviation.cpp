@@ -29,8 +29,9 @@ Hits find_closest(const SurfaceTree& tree, std::size_t count, const PointAt& poi
   parallel.blocks(count, block, [&](std::size_t begin, std::size_t end, unsigned) {
     std::uint32_t near = SurfaceTree::none;
     for (std::size_t i = begin; i < end; ++i) {
-      if (!point_at(i).allFinite()) continue;  // leaves hits[i].face at none
-      hits[i] = tree.closest(point_at(i), near);
+      const Eigen::Vector3d& p = point_at(i);  // lives as long as this name if it is computed
+      if (!p.allFinite()) continue;            // leaves hits[i].face at none
+      hits[i] = tree.closest(p, near);
       near = hits[i].face;
     }
   });
@@ -197,6 +198,15 @@ Deviation measure_deviation(const TriangleMesh& mesh, const TriangleMesh& refere
   parallel.each(samples.size(), block, [&](std::size_t i) {
     const Eigen::Vector3d normal = area_normal(mesh, mesh.faces[samples[i].face]);
     result.sample_deviation[i] = normals.signed_distance(samples[i].point, sample_hits[i], normal);
+  });
+  const auto centroid = [&mesh](std::size_t f) -> Eigen::Vector3d {
+    const Triangle& face = mesh.faces[f];
+    return (mesh.vertices[face[0]] + mesh.vertices[face[1]] + mesh.vertices[face[2]]) / 3;
+  };
+  const Hits centroid_hits = find_closest(tree, mesh.faces.size(), centroid, parallel);
+  result.face_deviation.resize(mesh.faces.size());
+  parallel.each(mesh.faces.size(), block, [&](std::size_t f) {
+    result.face_deviation[f] = normals.signed_distance(centroid(f), centroid_hits[f], area_normal(mesh, mesh.faces[f]));
   });
   const Outside mesh_outside(mesh);
   result.vertex_deviation.resize(mesh.vertices.size());

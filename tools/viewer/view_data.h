@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_pds_recon/triangle_mesh.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pds
+{
+
+/** \brief All that a view can show; what is empty is not there. */
+struct ViewData
+{
+  std::vector<Eigen::Vector3d> cloud;
+  std::vector<std::uint32_t> label;      ///< Voronoi cell of each point of the cloud, or no_label
+  std::vector<std::uint32_t> witnesses;  ///< points of the cloud near Voronoi edges
+  std::vector<std::uint32_t> seeds;      ///< points of the cloud; the first ones are the mesh's vertices
+  double radius = 0;                     ///< of the Poisson disks
+  TriangleMesh mesh;
+  std::vector<std::vector<std::uint32_t>> boundary_loops;  ///< vertices of the mesh
+  std::vector<double> deviation;                           ///< signed, of each vertex of the mesh
+  std::vector<double> face_deviation;                      ///< signed, of each face's centroid: what the colours show
+};
+
+/** \brief What can be switched on and off. */
+enum class Layer
+{
+  cloud,
+  seeds,
+  disks,  ///< circles of half the Poisson-disk radius, which do not overlap
+  cells,  ///< points coloured by their Voronoi cell
+  witnesses,
+  mesh,
+  edges,  ///< of the triangles
+  loops,  ///< boundary loops
+  normals,
+  deviation  ///< the mesh in colours, with their bar
+};
+
+/** \brief A layer, the key that switches it and the name by which --show knows it. */
+struct LayerName
+{
+  Layer layer;
+  char key;
+  const char* name;
+};
+
+constexpr std::array<LayerName, 10> layer_names = {{{Layer::cloud, 'c', "cloud"},
+                                                    {Layer::seeds, 's', "seeds"},
+                                                    {Layer::disks, 'd', "disks"},
+                                                    {Layer::cells, 'l', "cells"},
+                                                    {Layer::witnesses, 'w', "witnesses"},
+                                                    {Layer::mesh, 'm', "mesh"},
+                                                    {Layer::edges, 'e', "edges"},
+                                                    {Layer::loops, 'b', "loops"},
+                                                    {Layer::normals, 'n', "normals"},
+                                                    {Layer::deviation, 'v', "deviation"}}};
+
+}  // namespace pds

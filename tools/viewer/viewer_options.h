@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "viewer/view.h"
+
+#include <pcl_pds_recon/options.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pds
+{
+
+/** \brief What pcl_pds_viewer was asked to show. */
+struct ViewerOptions
+{
+  std::string input;
+  std::string reference;     ///< the deviation from it is shown; empty: none
+  bool points_only = false;  ///< the vertices of a mesh are taken as a cloud
+  Options reconstruction;    ///< of a cloud
+  std::optional<std::vector<Layer>> layers;
+  bool flat = false;
+  int width = 1200;  ///< of the window or picture, pixels
+  int height = 900;  ///< likewise
+  CameraPlace camera;
+  std::string screenshot;   ///< PNG; empty: a window
+  int frames = 0;           ///< frames to be drawn and timed while the camera turns, instead of a window; 0: none
+  std::string information;  ///< text to print instead: help or version
+};
+
+/** \brief Thrown for a command line that cannot be carried out; what() is one line that says why. */
+struct ViewerUsageError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/** \throws ViewerUsageError */
+[[nodiscard]] ViewerOptions parse_viewer_options(int argc, const char* const* argv);
+
+}  // namespace pds

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "viewer/load_view.h"
+#include "viewer/rerun.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkTextActor.h>
+
+namespace pds
+{
+
+/** \brief The window: keys, picking, and reconstruction while it stays alive. */
+class ViewerWindow
+{
+ public:
+  /** \param view, source must outlive this object */
+  ViewerWindow(View& view, const ViewSource& source, const ViewerOptions& options);
+
+  /** \brief Shows the window and serves it until it is closed. */
+  void run();
+
+  /** \brief Opens the window without serving it, for tests. */
+  void open();
+
+  /** \brief What a key does; \a x and \a y are the pointer's place in pixels from the lower left. */
+  void press(char key, int x, int y);
+
+  /** \brief Shows the progress of a reconstruction that runs, and its result when it is there. */
+  void poll();
+
+  [[nodiscard]] bool is_busy() const { return rerun_.is_busy(); }
+  [[nodiscard]] vtkRenderWindow* window() { return window_; }
+  [[nodiscard]] vtkRenderWindowInteractor* interactor() { return interactor_; }
+  [[nodiscard]] std::string status() const { return status_->GetInput(); }  ///< the line at the bottom
+
+ private:
+  void say(const std::string& text);
+  [[nodiscard]] std::string summary() const;
+  [[nodiscard]] std::string describe_place(int x, int y) const;
+  void toggle(const LayerName& layer);
+  void change_options(char key);
+
+  View& view_;
+  const ViewSource& source_;
+  Options options_;
+  Rerun rerun_;
+  vtkNew<vtkRenderWindow> window_;
+  vtkNew<vtkRenderWindowInteractor> interactor_;
+  vtkNew<vtkTextActor> status_;
+  vtkNew<vtkTextActor> help_;
+  vtkNew<vtkCamera> saved_camera_;
+};
+
+}  // namespace pds
