@@ -10,12 +10,13 @@
 #include <pcl_pds_recon/reconstruction.h>
 #include <pcl_pds_recon/seed_faces.h>
 #include <pcl_pds_recon/seed_graph.h>
+#include <pcl_pds_recon/thinning.h>
 #include <pcl_pds_recon/triangle_complex.h>
 #include <pcl_pds_recon/version.h>
 #include <sys/resource.h>
 #include <algorithm>
 #include <chrono>
-#include "bucket_sort.h"
+#include "output.h"
 #include "parallel_parts.h"
 
 namespace pds
@@ -53,6 +54,37 @@ class StageClock
   Clock::time_point begin_;
 };
 
+/** \brief The points that the radius needs, and who is whose neighbour. */
+struct Neighborhoods
+{
+  OrderedPoints points;
+  NeighborGraph graph;
+  double interval = 0;  ///< sampling interval that the radius refers to: of the cloud before thinning, if that is known
+};
+
+/** \brief Orders, thins and joins the points. A radius in sampling intervals is known only once all are joined. */
+Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& options, const Parallel& parallel)
+{
+  Neighborhoods found;
+  const double fineness = options.adaptive == 0 ? voxels_per_radius : voxels_per_adaptive_radius;
+  const auto thin = [&](double radius) {
+    found.points = thin_points(std::move(found.points), radius / fineness, parallel);
+  };
+  const auto join = [&] {
+    found.graph = {};  // before the next one is made: two of them would be the peak of the run's memory
+    found.graph = build_neighbor_graph(found.points, cloud, options.k_neighbors, parallel);
+  };
+  found.points = order_points(cloud, parallel);
+  if (options.radius > 0) thin(options.radius / found.points.unit);
+  join();
+  found.interval = found.graph.sampling_interval;
+  if (options.radius > 0 || found.interval <= 0) return found;
+  const std::size_t points = found.points.size();
+  thin(options.radius_factor * found.interval);
+  if (found.points.size() < points) join();
+  return found;
+}
+
 /** \brief Radius in units of position, and the metric it is measured in. */
 struct Metric
 {
@@ -60,24 +92,24 @@ struct Metric
   double radius = 0;
 };
 
-Metric choose_metric(const OrderedPoints& points,
-                     const NeighborGraph& graph,
+Metric choose_metric(const Neighborhoods& found,
                      const SurfaceEstimate& surface,
                      const Options& options,
                      const Parallel& parallel,
                      Report& report)
 {
+  const auto& [points, graph, interval_of_cloud] = found;
   Metric metric;
   const double interval = graph.sampling_interval;
   if (interval <= 0) return metric;
   const bool absolute = options.radius > 0;
-  const WeightLimits limits{absolute ? options.radius / points.unit / interval : options.radius_factor, !absolute};
-  metric.weights = curvature_weights(surface, graph, options.adaptive, limits, parallel);
-  const double weighted = mean_weighted_interval(points, graph, metric.weights, parallel);
-  const double radius = absolute ? options.radius / points.unit : options.radius_factor * weighted;
-  metric.radius = std::min(radius, largest_radius);
-  report.sampling_interval = weighted * points.unit;
-  report.radius = radius * points.unit;
+  const double radius = absolute ? options.radius / points.unit : options.radius_factor * interval_of_cloud;
+  metric.weights = curvature_weights(surface, graph, options.adaptive, {radius / interval, !absolute}, parallel);
+  // Thinning changes the interval, but hardly what the weights do to it.
+  const double stretch = mean_weighted_interval(points, graph, metric.weights, parallel) / interval;
+  metric.radius = std::min(absolute ? radius : radius * stretch, largest_radius);
+  report.sampling_interval = interval_of_cloud * stretch * points.unit;
+  report.radius = metric.radius * points.unit;
   return metric;
 }
 
@@ -89,79 +121,6 @@ OrientationCues cues_for(const PointCloudView& cloud, const OrderedPoints& point
   if (cloud.sensor_origin)
     cues.sensor_origin = (*cloud.sensor_origin - points.origin) / (points.unit * sampling.radius);
   return cues;
-}
-
-/** \brief Brings faces into a canonical order: each begins with its lowest corner, and they ascend. */
-std::vector<Triangle> sorted_faces(std::vector<Triangle> triangles, std::size_t vertex_count, const Parallel& parallel)
-{
-  constexpr std::size_t block = 4096;
-  BucketSort by_first_corner(vertex_count);
-  parallel.each(triangles.size(), block, [&](std::size_t f) {
-    Triangle& t = triangles[f];
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    by_first_corner.count(t[0]);
-  });
-  const std::vector<std::size_t> begin = by_first_corner.begins();
-  std::vector<Triangle> sorted(triangles.size());
-  parallel.each(triangles.size(), block,
-                [&](std::size_t f) { sorted[by_first_corner.place(triangles[f][0])] = triangles[f]; });
-  parallel.each(vertex_count, block, [&](std::size_t v) {
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-              sorted.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]));
-  });
-  return sorted;
-}
-
-/** \brief Numbers the seeds so that those with a face come first. */
-void number_vertices(std::vector<Triangle> triangles,
-                     const OrderedPoints& points,
-                     const PoissonDiskSampling& sampling,
-                     std::vector<std::uint32_t>& number_of_seed,
-                     Reconstruction& result,
-                     const Parallel& parallel)
-{
-  std::vector<std::uint8_t> used(sampling.seeds.size());
-  for (const Triangle& t : triangles)
-    for (const std::uint32_t s : t) used[s] = 1;
-  number_of_seed.resize(used.size());
-  result.seeds.reserve(used.size());
-  for (const std::uint8_t wanted : {std::uint8_t{1}, std::uint8_t{0}})
-    for (std::size_t s = 0; s < used.size(); ++s)
-      if (used[s] == wanted) {
-        number_of_seed[s] = static_cast<std::uint32_t>(result.seeds.size());
-        result.seeds.push_back(points.input_index[sampling.seeds[s]]);
-      }
-  for (Triangle& t : triangles)
-    for (std::uint32_t& v : t) v = number_of_seed[v];
-  result.triangles = sorted_faces(std::move(triangles), used.size(), parallel);
-}
-
-void describe_points(const OrderedPoints& points,
-                     const PoissonDiskSampling& sampling,
-                     const GeodesicVoronoi& voronoi,
-                     const std::vector<std::uint32_t>& number_of_seed,
-                     Reconstruction& result,
-                     const Parallel& parallel)
-{
-  using Indices = std::vector<std::uint32_t>;
-  constexpr std::size_t block = 32768;
-  const std::size_t n = points.rank_of_input.size();
-  result.voronoi.label.resize(n);
-  result.voronoi.distance.resize(n);
-  for (const Indices& part :
-       parallel_parts<Indices>(n, block, parallel, [&](std::size_t begin, std::size_t end, Indices&witnesses) {
-         for (std::size_t i = begin; i < end; ++i) {
-           const std::uint32_t rank = points.rank_of_input[i];
-           const bool has_seed = rank != no_rank && !sampling.nearest.empty();
-           const NearestSeeds nearest = has_seed ? sampling.nearest[rank] : NearestSeeds{};
-           result.voronoi.label[i] = has_seed ? number_of_seed[nearest.seed[0]] : no_label;
-           result.voronoi.distance[i] = has_seed
-                                            ? static_cast<float>(static_cast<double>(nearest.distance[0]) * points.unit)
-                                            : std::numeric_limits<float>::quiet_NaN();
-           if (has_seed && voronoi.witness[rank] != 0) witnesses.push_back(static_cast<std::uint32_t>(i));
-         }
-       }))
-    append(result.witness_points, part);
 }
 
 void report_sampling(const PoissonDiskSampling& sampling, Report& report, const Parallel& parallel)
@@ -218,11 +177,12 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
 
   // Step 1: neighbours, sampling interval, radius.
   clock.start("neighbors", 0.0, report.seconds.neighbors);
-  const OrderedPoints points = order_points(cloud, parallel);
-  const NeighborGraph graph = build_neighbor_graph(points, cloud, options.k_neighbors, parallel);
+  const Neighborhoods found = find_neighborhoods(cloud, options, parallel);
+  const OrderedPoints& points = found.points;
+  const NeighborGraph& graph = found.graph;
   clock.start("weights", 0.4, report.seconds.weights);
   const SurfaceEstimate surface = estimate_surface(points, graph, parallel);
-  const Metric metric = choose_metric(points, graph, surface, options, parallel, report);
+  const Metric metric = choose_metric(found, surface, options, parallel, report);
 
   // Steps 2 to 5: seeds and their disks.
   clock.start("sampling", 0.5, report.seconds.sampling);
@@ -250,10 +210,9 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   report.filled_holes = fill_holes(complex, seeds, BorderingCells(voronoi.pairs), faces.polygons, limits);
 
   clock.start("orientation", 0.95, report.seconds.orientation);
-  std::vector<std::uint32_t> number_of_seed;
-  number_vertices(orient_faces(complex, cues_for(cloud, points, sampling)), points, sampling, number_of_seed, result,
-                  parallel);
-  describe_points(points, sampling, voronoi, number_of_seed, result, parallel);
+  const std::vector<std::uint32_t> number_of_seed =
+      number_vertices(orient_faces(complex, cues_for(cloud, points, sampling)), points, sampling, result, parallel);
+  describe_points(cloud, points, sampling, voronoi, number_of_seed, result, parallel);
   report.orientable = one_sided.empty();
   report_certificate(certify(result.triangles, result.seeds.size(), parallel), result);
   report_sampling(sampling, report, parallel);
@@ -262,6 +221,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   report.input_points = cloud.size;
   report.valid_points = points.valid_points;
   report.merged_points = points.merged_points;
+  report.thinned_points = points.thinned_points;
   report.k = options.k_neighbors;
   report.threads = parallel.threads();
   report.peak_rss_bytes = peak_resident_bytes();

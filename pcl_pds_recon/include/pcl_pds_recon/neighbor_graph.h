@@ -96,11 +96,6 @@ struct NeighborGraph
   {
     return {reverse.data() + begin_of_reverse(i), reverse.data() + begin_of_reverse(i + 1)};
   }
-  /** \brief The points that count \a i among their nearest without being among its own. */
-  [[nodiscard]] NeighborSpan reverse_neighbors(std::size_t i) const
-  {
-    return {reverse.data() + reverse_begin[i], reverse.data() + reverse_begin[i + 1]};
-  }
   /** \brief All points joined to \a i by an edge. */
   [[nodiscard]] NeighborRange neighbors(std::size_t i) const { return {nearest(i), listed_by(i)}; }
 

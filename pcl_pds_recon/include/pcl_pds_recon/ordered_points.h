@@ -30,6 +30,7 @@ struct OrderedPoints
   double unit = 1;                           ///< input units per unit of position
   std::size_t valid_points = 0;              ///< input points with finite coordinates
   std::size_t merged_points = 0;             ///< of these, represented by a coincident one
+  std::size_t thinned_points = 0;            ///< of the rest, represented by one nearby (see thinning.h)
 
   [[nodiscard]] std::size_t size() const { return position.size(); }
 };

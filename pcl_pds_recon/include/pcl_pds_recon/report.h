@@ -26,11 +26,14 @@ struct StageSeconds
 /** \brief What the reconstruction did, and the certificate of what it made. */
 struct Report
 {
-  std::size_t input_points = 0;       ///< points given
-  std::size_t valid_points = 0;       ///< of these, with finite coordinates
-  std::size_t merged_points = 0;      ///< of the valid ones, dropped because a coincident point represents them
-  int k = 0;                          ///< neighbours per point
-  double sampling_interval = 0;       ///< mean distance to the k neighbours, in input units (weighted if adaptive)
+  std::size_t input_points = 0;    ///< points given
+  std::size_t valid_points = 0;    ///< of these, with finite coordinates
+  std::size_t merged_points = 0;   ///< of the valid ones, dropped because a coincident point represents them
+  std::size_t thinned_points = 0;  ///< of the rest, left out because the radius does not need them
+  int k = 0;                       ///< neighbours per point
+  /** Mean distance to the k neighbours, in input units (weighted if adaptive); with an absolute radius, of the points
+   * that thinning left. */
+  double sampling_interval = 0;
   double radius = 0;                  ///< Poisson-disk radius in input units (where the weight is 1)
   std::size_t seeds = 0;              ///< Poisson-disk samples, with or without a face
   std::size_t refined_seeds = 0;      ///< of these, added closer than the radius to keep the topology (none at present)
@@ -49,7 +52,7 @@ struct Report
   /** Least distance of two seeds, refined ones aside, in radii, in the run's metric; disks are grown to 1.25 radii, so
    * that is the largest value. */
   double min_seed_distance = 0;
-  double coverage_radius = 0;      ///< greatest distance of a point from its nearest seed, likewise
+  double coverage_radius = 0;      ///< greatest distance of a point from its nearest seed, thinned ones aside, likewise
   unsigned threads = 0;            ///< worker threads used
   StageSeconds seconds;            ///< where the time went
   std::size_t peak_rss_bytes = 0;  ///< peak resident memory of the process, 0 if unknown

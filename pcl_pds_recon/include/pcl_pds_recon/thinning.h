@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_pds_recon/ordered_points.h>
+#include <pcl_pds_recon/parallel.h>
+
+namespace pds
+{
+
+/** \brief How fine the points are that a disk needs: voxels per radius. A voxel keeps one point, which leaves about 30
+ * for a Voronoi cell, as many as the default radius factor finds in a cloud that is not thinned. */
+constexpr double voxels_per_radius = 3.75;
+/** \brief The same in the adaptive metric, where the smallest disks are much smaller than the mean one. */
+constexpr double voxels_per_adaptive_radius = 5.6;
+
+/** \brief Leaves out points that disks of this size do not need.
+ *
+ * Space is cut into voxels; of the points in one, the nearest to their mean stays, which is in the middle of the noise,
+ * and represents the others, as one of several coincident points does. A point and its representative are at most
+ * sqrt(3) voxels apart, 0.46 radii in the uniform metric and seldom more than 0.15; that bounds what thinning changes
+ * about the distance of a point. Nothing is left out unless that leaves less than half of the points. O(n).
+ * \param voxel_side in units of position
+ * \return the points that are left, in their order
+ */
+[[nodiscard]] OrderedPoints thin_points(OrderedPoints points, double voxel_side, const Parallel& parallel);
+
+}  // namespace pds

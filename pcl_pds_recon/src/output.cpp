@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output.h"
+
+#include <algorithm>
+#include <limits>
+#include "bucket_sort.h"
+#include "parallel_parts.h"
+
+namespace pds
+{
+namespace
+{
+
+/** \brief Brings faces into a canonical order: each begins with its lowest corner, and they ascend. */
+std::vector<Triangle> sorted_faces(std::vector<Triangle> triangles, std::size_t vertex_count, const Parallel& parallel)
+{
+  constexpr std::size_t block = 4096;
+  BucketSort by_first_corner(vertex_count);
+  parallel.each(triangles.size(), block, [&](std::size_t f) {
+    Triangle& t = triangles[f];
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    by_first_corner.count(t[0]);
+  });
+  const std::vector<std::size_t> begin = by_first_corner.begins();
+  std::vector<Triangle> sorted(triangles.size());
+  parallel.each(triangles.size(), block,
+                [&](std::size_t f) { sorted[by_first_corner.place(triangles[f][0])] = triangles[f]; });
+  parallel.each(vertex_count, block, [&](std::size_t v) {
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+              sorted.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]));
+  });
+  return sorted;
+}
+
+/** \brief A point's nearest seed, and its distance in units of position. */
+struct Label
+{
+  std::uint32_t seed;
+  float distance;
+};
+
+/** \brief Label of a point that thinning left out, from the nearest seeds of its representative: the two see a seed in
+ * nearly the same direction, so their distances from it go like the straight ones. */
+Label label_beside(const Eigen::Vector3f& point,
+                   const Eigen::Vector3f& representative,
+                   const NearestSeeds& nearest,
+                   const OrderedPoints& points,
+                   const PoissonDiskSampling& sampling)
+{
+  Label label{nearest.seed[0], NearestSeeds::infinity};
+  for (std::size_t i = 0; i < NearestSeeds::capacity; ++i) {
+    if (nearest.seed[i] == NearestSeeds::none) break;
+    const Eigen::Vector3f& seed = points.position[sampling.seeds[nearest.seed[i]]];
+    const float there = (representative - seed).norm();
+    const float here = (point - seed).norm();
+    const float distance = there > 0 ? here * (nearest.distance[i] / there) : here;
+    if (distance < label.distance) label = {nearest.seed[i], distance};
+  }
+  return label;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> number_vertices(std::vector<Triangle> triangles,
+                                           const OrderedPoints& points,
+                                           const PoissonDiskSampling& sampling,
+                                           Reconstruction& result,
+                                           const Parallel& parallel)
+{
+  std::vector<std::uint32_t> number_of_seed(sampling.seeds.size());
+  std::vector<std::uint8_t> used(sampling.seeds.size());
+  for (const Triangle& t : triangles)
+    for (const std::uint32_t s : t) used[s] = 1;
+  result.seeds.reserve(used.size());
+  for (const std::uint8_t wanted : {std::uint8_t{1}, std::uint8_t{0}})
+    for (std::size_t s = 0; s < used.size(); ++s)
+      if (used[s] == wanted) {
+        number_of_seed[s] = static_cast<std::uint32_t>(result.seeds.size());
+        result.seeds.push_back(points.input_index[sampling.seeds[s]]);
+      }
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = number_of_seed[v];
+  result.triangles = sorted_faces(std::move(triangles), used.size(), parallel);
+  return number_of_seed;
+}
+
+void describe_points(const PointCloudView& cloud,
+                     const OrderedPoints& points,
+                     const PoissonDiskSampling& sampling,
+                     const GeodesicVoronoi& voronoi,
+                     const std::vector<std::uint32_t>& number_of_seed,
+                     Reconstruction& result,
+                     const Parallel& parallel)
+{
+  using Indices = std::vector<std::uint32_t>;
+  constexpr std::size_t block = 32768;
+  const std::size_t n = points.rank_of_input.size();
+  result.voronoi.label.resize(n, no_label);
+  result.voronoi.distance.resize(n, std::numeric_limits<float>::quiet_NaN());
+  if (sampling.nearest.empty()) return;
+  const auto describe = [&](std::size_t i, Indices& witnesses) {
+    const std::uint32_t rank = points.rank_of_input[i];
+    if (rank == no_rank) return;
+    const NearestSeeds& nearest = sampling.nearest[rank];
+    Label label{nearest.seed[0], nearest.distance[0]};
+    if (points.thinned_points > 0 && points.input_index[rank] != i) {
+      const Eigen::Vector3f position = ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
+      if (position != points.position[rank])
+        label = label_beside(position, points.position[rank], nearest, points, sampling);
+    }
+    result.voronoi.label[i] = number_of_seed[label.seed];
+    result.voronoi.distance[i] = static_cast<float>(static_cast<double>(label.distance) * points.unit);
+    if (voronoi.witness[rank] != 0) witnesses.push_back(static_cast<std::uint32_t>(i));
+  };
+  for (const Indices& part :
+       parallel_parts<Indices>(n, block, parallel, [&describe](std::size_t begin, std::size_t end, Indices&witnesses) {
+         for (std::size_t i = begin; i < end; ++i) describe(i, witnesses);
+       }))
+    append(result.witness_points, part);
+}
+
+}  // namespace pds

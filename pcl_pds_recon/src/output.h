@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_pds_recon/geodesic_voronoi.h>
+#include <pcl_pds_recon/ordered_points.h>
+#include <pcl_pds_recon/parallel.h>
+#include <pcl_pds_recon/poisson_disk_sampling.h>
+#include <pcl_pds_recon/reconstruction.h>
+#include <pcl_pds_recon/triangle_complex.h>
+#include <cstdint>
+#include <vector>
+
+namespace pds
+{
+
+/** \brief Fills in the seeds, those with a face first, and the triangles, in an order that depends only on them.
+ * \return the number of each seed in the result */
+[[nodiscard]] std::vector<std::uint32_t> number_vertices(std::vector<Triangle> triangles,
+                                                         const OrderedPoints& points,
+                                                         const PoissonDiskSampling& sampling,
+                                                         Reconstruction& result,
+                                                         const Parallel& parallel);
+
+/** \brief Fills in the label and distance of every input point, and which of them are witnesses. */
+void describe_points(const PointCloudView& cloud,
+                     const OrderedPoints& points,
+                     const PoissonDiskSampling& sampling,
+                     const GeodesicVoronoi& voronoi,
+                     const std::vector<std::uint32_t>& number_of_seed,
+                     Reconstruction& result,
+                     const Parallel& parallel);
+
+}  // namespace pds
