@@ -66,7 +66,7 @@ GeodesicDisk::~GeodesicDisk() { leave(); }
 
 void GeodesicDisk::leave()
 {
-  for (std::size_t node = 1; node < patch_.size(); ++node) marks_[patch_[node]] = none;
+  for (std::size_t node = 1; node < patch_.size(); ++node) marks_[patch_[node]].store(none, std::memory_order_relaxed);
   patch_.clear();
 }
 
@@ -79,6 +79,7 @@ void GeodesicDisk::enter(const std::vector<RankRange>& patch)
   settled_.resize(columns_->x.size());
   march_.resize(count + 1);
   patch_.resize(count + 1);
+  patch_[none] = no_rank;
   columns_->set(none, Eigen::Vector3f::Constant(infinity), Eigen::Vector3f::Zero(), 1.0F);
   std::uint32_t node = none;
   for (const RankRange& range : patch) {
@@ -86,7 +87,7 @@ void GeodesicDisk::enter(const std::vector<RankRange>& patch)
                    range.end - range.begin);
     for (std::uint32_t point = range.begin; point < range.end; ++point) {
       patch_[++node] = point;
-      marks_[point] = node;
+      marks_[point].store(node, std::memory_order_relaxed);
     }
   }
   if (!weights_.uniform())

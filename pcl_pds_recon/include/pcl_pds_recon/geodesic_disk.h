@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -13,8 +14,9 @@
 namespace pds
 {
 
-/** \brief Working memory with one zero per point of the cloud. Patches without a common point may share it. */
-using PatchMarks = std::vector<std::uint32_t>;
+/** \brief Working memory with one zero per point of the cloud, which patches without a common point may share in
+ * different threads. Atomic because edges lead out of a patch, to points that another thread may be marking. */
+using PatchMarks = std::vector<std::atomic<std::uint32_t>>;
 
 /** \brief Ranks begin ... end - 1. */
 struct RankRange
@@ -95,7 +97,11 @@ class GeodesicDisk
   };
 
   void leave();
-  [[nodiscard]] std::uint32_t node_of(std::uint32_t point) const { return marks_[point]; }
+  [[nodiscard]] std::uint32_t node_of(std::uint32_t point) const
+  {
+    const std::uint32_t node = marks_[point].load(std::memory_order_relaxed);
+    return node < patch_.size() && patch_[node] == point ? node : none;  // else it is another patch's mark
+  }
   [[nodiscard]] NeighborRange neighbors(std::uint32_t node) const { return graph_.neighbors(patch_[node]); }
   [[nodiscard]] Eigen::Vector3f position(std::uint32_t node) const;
   void measure(std::uint32_t source, float limit);
