@@ -22,7 +22,7 @@ void set_box(BoxColumns& boxes, std::size_t child, const Box& box)
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<Eigen::Vector3f>& position, const NeighborKernel& kernel, const Parallel& parallel)
+BoxTree::BoxTree(const PointArray<Eigen::Vector3f>& position, const NeighborKernel& kernel, const Parallel& parallel)
     : position_(position), kernel_(kernel)
 {
   constexpr std::size_t block = 256;  // nodes, of 128 points at the lowest level

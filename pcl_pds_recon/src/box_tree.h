@@ -26,7 +26,7 @@ class BoxTree
   static constexpr std::size_t node_size = BoxColumns::size;
 
   /** \param position points, best in Morton order; must outlive the tree */
-  BoxTree(const std::vector<Eigen::Vector3f>& position, const NeighborKernel& kernel, const Parallel& parallel);
+  BoxTree(const PointArray<Eigen::Vector3f>& position, const NeighborKernel& kernel, const Parallel& parallel);
 
   [[nodiscard]] std::size_t leaf_count() const { return (position_.size() + leaf_size - 1) / leaf_size; }
   [[nodiscard]] std::size_t leaf_end(std::size_t leaf) const { return std::min((leaf + 1) * leaf_size, size()); }
@@ -80,7 +80,7 @@ class BoxTree
                    std::vector<std::uint32_t>& leaves) const;
   std::size_t push_children(const Child& parent, const Box& box, float squared_bound, Child* stack) const;
 
-  const std::vector<Eigen::Vector3f>& position_;
+  const PointArray<Eigen::Vector3f>& position_;
   const NeighborKernel& kernel_;
   std::vector<std::vector<BoxColumns>>
       level_;  ///< the first holds the boxes of the leaves, the last one is the root alone

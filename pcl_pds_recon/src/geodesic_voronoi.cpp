@@ -17,7 +17,7 @@ constexpr std::size_t cells_per_block = 64;  // cells per block: some thousand p
 void group_by_cell(const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi, const Parallel& parallel)
 {
   constexpr std::size_t block = 32768;
-  const std::vector<NearestSeeds>& nearest = sampling.nearest;
+  const PointArray<NearestSeeds>& nearest = sampling.nearest;
   // Points that follow one another are often of one cell, and counted at once.
   const auto each_run = [&](const auto& action) {
     parallel.blocks(nearest.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
@@ -195,7 +195,7 @@ class CellSurvey
   const OrderedPoints& points_;
   const NeighborGraph& graph_;
   const EdgeWeights& weights_;
-  const std::vector<NearestSeeds>& nearest_;
+  const PointArray<NearestSeeds>& nearest_;
   const WitnessRule& is_witness_;
   float corner_limit_;
   std::uint32_t seed_ = NearestSeeds::none;

@@ -18,7 +18,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 class SingleSearch
 {
  public:
-  SingleSearch(const BoxTree& tree, const std::vector<Eigen::Vector3f>& position, std::size_t k)
+  SingleSearch(const BoxTree& tree, const PointArray<Eigen::Vector3f>& position, std::size_t k)
       : tree_(tree), position_(position), best_(k)
   {
   }
@@ -52,7 +52,7 @@ class SingleSearch
   }
 
   const BoxTree& tree_;
-  const std::vector<Eigen::Vector3f>& position_;
+  const PointArray<Eigen::Vector3f>& position_;
   std::vector<Candidate> best_;  ///< ascending
 };
 
@@ -66,7 +66,7 @@ class GroupSearch
 {
  public:
   GroupSearch(const BoxTree& tree,
-              const std::vector<Eigen::Vector3f>& position,
+              const PointArray<Eigen::Vector3f>& position,
               std::size_t k,
               const NeighborKernel& kernel)
       : tree_(tree),
@@ -171,7 +171,7 @@ class GroupSearch
   }
 
   const BoxTree& tree_;
-  const std::vector<Eigen::Vector3f>& position_;
+  const PointArray<Eigen::Vector3f>& position_;
   std::size_t k_;
   const NeighborKernel& kernel_;
   SingleSearch single_;
@@ -184,7 +184,7 @@ class GroupSearch
 
 }  // namespace
 
-std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
+PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
                                              std::size_t k,
                                              const NeighborKernel& kernel,
                                              const Parallel& parallel)
@@ -192,7 +192,7 @@ std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>&
   constexpr std::size_t leaves_per_group = 8;
   constexpr std::size_t leaves_per_block = 512;  // half a millisecond of work
   const BoxTree tree(position, kernel, parallel);
-  std::vector<std::uint32_t> neighbors(position.size() * k);
+  PointArray<std::uint32_t> neighbors(position.size() * k);
   parallel.blocks(tree.leaf_count(), leaves_per_block, [&](std::size_t begin, std::size_t end, unsigned) {
     GroupSearch search(tree, position, k, kernel);
     for (std::size_t leaf = begin; leaf < end; leaf += leaves_per_group)
@@ -201,7 +201,7 @@ std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>&
   return neighbors;
 }
 
-std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
+PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
                                              std::size_t k,
                                              const Parallel& parallel)
 {

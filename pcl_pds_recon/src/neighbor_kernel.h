@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <pcl_pds_recon/parallel.h>
+#include <pcl_pds_recon/point_array.h>
 
 namespace pds
 {
@@ -107,7 +108,7 @@ struct NeighborKernel
 [[nodiscard]] std::vector<const NeighborKernel*> neighbor_kernels();
 
 /** \brief nearest_neighbors() with a certain kernel, so that tests can compare them. */
-[[nodiscard]] std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
+[[nodiscard]] PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
                                                            std::size_t k,
                                                            const NeighborKernel& kernel,
                                                            const Parallel& parallel);

@@ -259,7 +259,7 @@ class DartThrower
   const Schedule& schedule_;
   GeodesicDisk& disk_;
   float radius_;
-  std::vector<NearestSeeds>& nearest_;
+  PointArray<NearestSeeds>& nearest_;
   std::vector<Dart> darts_;
   std::vector<RankRange> patch_;
 };

@@ -14,8 +14,8 @@ namespace pds
 /** \brief Plane fitted to the neighbourhood of each point. */
 struct SurfaceEstimate
 {
-  std::vector<Eigen::Vector3f> normal;  ///< unit, of arbitrary sign; zero where the neighbourhood is no surface
-  std::vector<float> curvature;         ///< square root of the surface variation (smallest eigenvalue over their sum)
+  PointArray<Eigen::Vector3f> normal;  ///< unit, of arbitrary sign; zero where the neighbourhood is no surface
+  PointArray<float> curvature;         ///< square root of the surface variation (smallest eigenvalue over their sum)
 };
 
 /** \brief The metric in which disks are grown: an edge is its length times the mean weight of its two ends.

@@ -33,8 +33,8 @@ struct SeedTriple
 struct GeodesicVoronoi
 {
   std::vector<std::size_t> cell_begin;    ///< by seed: begin of its points in cell_point; size seeds + 1
-  std::vector<std::uint32_t> cell_point;  ///< ranks, ascending within a cell
-  std::vector<std::uint8_t> witness;      ///< per point: 1 if it lies near a Voronoi edge
+  PointArray<std::uint32_t> cell_point;  ///< ranks, ascending within a cell
+  PointArray<std::uint8_t> witness;      ///< per point: 1 if it lies near a Voronoi edge
   std::vector<SeedPair> pairs;            ///< ascending by (a, b)
   std::vector<SeedTriple> triples;        ///< ascending by (a, b, c)
 };

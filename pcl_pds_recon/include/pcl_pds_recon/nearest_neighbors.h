@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <pcl_pds_recon/parallel.h>
+#include <pcl_pds_recon/point_array.h>
 
 namespace pds
 {
@@ -18,7 +19,7 @@ namespace pds
  * \param k neighbours wanted; there must be more than k points
  * \return row i, of k entries: the neighbours of point i by ascending distance, equal distances by ascending index
  */
-[[nodiscard]] std::vector<std::uint32_t> nearest_neighbors(const std::vector<Eigen::Vector3f>& position,
+[[nodiscard]] PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
                                                            std::size_t k,
                                                            const Parallel& parallel);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <pcl_pds_recon/parallel.h>
+#include <pcl_pds_recon/point_array.h>
 #include <pcl_pds_recon/point_cloud_view.h>
 
 namespace pds
@@ -23,9 +24,9 @@ constexpr std::uint32_t no_rank = 0xffffffffU;
  */
 struct OrderedPoints
 {
-  std::vector<Eigen::Vector3f> position;     ///< by rank
-  std::vector<std::uint32_t> input_index;    ///< by rank: the input point that represents this place
-  std::vector<std::uint32_t> rank_of_input;  ///< by input index: rank of its representative, or no_rank
+  PointArray<Eigen::Vector3f> position;     ///< by rank
+  PointArray<std::uint32_t> input_index;    ///< by rank: the input point that represents this place
+  PointArray<std::uint32_t> rank_of_input;  ///< by input index: rank of its representative, or no_rank
   Eigen::Vector3d origin{0, 0, 0};           ///< input coordinates of position 0
   double unit = 1;                           ///< input units per unit of position
   std::size_t valid_points = 0;              ///< input points with finite coordinates

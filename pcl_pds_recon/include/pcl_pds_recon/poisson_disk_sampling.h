@@ -61,7 +61,7 @@ struct NearestSeeds
 struct PoissonDiskSampling
 {
   std::vector<std::uint32_t> seeds;   ///< ranks, ascending
-  std::vector<NearestSeeds> nearest;  ///< per point; seeds are named by their place in \a seeds
+  PointArray<NearestSeeds> nearest;  ///< per point; seeds are named by their place in \a seeds
   double radius = 0;                  ///< in units of position, in the run's metric
 };
 
