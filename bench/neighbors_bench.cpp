@@ -30,7 +30,7 @@ constexpr std::size_t k = 15;          // the library's default
 constexpr std::size_t block = 4096;    // points; a few milliseconds of work
 constexpr std::size_t leaf_size = 15;  // points per leaf of all the trees compared, as in pcl::KdTreeFLANN
 
-using Positions = std::vector<Eigen::Vector3f>;
+using Positions = pds::PointArray<Eigen::Vector3f>;
 
 /** \brief The points as each of the searches wants them. */
 struct SortedCloud

@@ -22,15 +22,15 @@ constexpr int feature_smoothing = 1;  // wider than noise, narrow enough to tell
 /** \brief A field of the points with its mean. */
 struct Field
 {
-  std::vector<float> value;
+  PointArray<float> value;
   double mean = 0;
 };
 
 /** \brief The field, averaged over each point and its own neighbours so many times. */
-Field smoothed(const std::vector<float>& field, int rounds, const NeighborGraph& graph, const Parallel& parallel)
+Field smoothed(const PointArray<float>& field, int rounds, const NeighborGraph& graph, const Parallel& parallel)
 {
   Field smooth{field, 0.0};
-  std::vector<float> next(field.size());
+  PointArray<float> next(field.size());
   for (int round = 0; round < rounds; ++round) {
     const double sum = parallel.sum(field.size(), block, [&](std::size_t begin, std::size_t end) {
       double part = 0;
@@ -108,9 +108,9 @@ EdgeWeights curvature_weights(const SurfaceEstimate& surface,
   if (coefficient == 0) return {};
   Field curvature = smoothed(surface.curvature, weight_smoothing, graph, parallel);
   if (curvature.mean <= 0) return {};
-  std::vector<float> weight = std::move(curvature.value);
+  std::vector<float> weight(curvature.value.size());
   parallel.each(weight.size(), block, [&](std::size_t i) {
-    const double x = static_cast<double>(weight[i]) / curvature.mean;
+    const double x = static_cast<double>(curvature.value[i]) / curvature.mean;
     weight[i] = static_cast<float>(std::exp(std::min(coefficient * x, largest_exponent)));
   });
   const auto largest = static_cast<float>(largest_weight(weight, limits, parallel));

@@ -76,7 +76,7 @@ class CellSurvey
   void survey(std::uint32_t seed,
               const std::uint32_t* begin,
               const std::uint32_t* end,
-              std::vector<std::uint8_t>& witness)
+              PointArray<std::uint8_t>& witness)
   {
     seed_ = seed;
     borders_.clear();

@@ -185,9 +185,9 @@ class GroupSearch
 }  // namespace
 
 PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
-                                             std::size_t k,
-                                             const NeighborKernel& kernel,
-                                             const Parallel& parallel)
+                                            std::size_t k,
+                                            const NeighborKernel& kernel,
+                                            const Parallel& parallel)
 {
   constexpr std::size_t leaves_per_group = 8;
   constexpr std::size_t leaves_per_block = 512;  // half a millisecond of work
@@ -202,8 +202,8 @@ PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& p
 }
 
 PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
-                                             std::size_t k,
-                                             const Parallel& parallel)
+                                            std::size_t k,
+                                            const Parallel& parallel)
 {
   return nearest_neighbors(position, k, *neighbor_kernels().back(), parallel);
 }

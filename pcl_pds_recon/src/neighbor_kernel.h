@@ -109,9 +109,9 @@ struct NeighborKernel
 
 /** \brief nearest_neighbors() with a certain kernel, so that tests can compare them. */
 [[nodiscard]] PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
-                                                           std::size_t k,
-                                                           const NeighborKernel& kernel,
-                                                           const Parallel& parallel);
+                                                          std::size_t k,
+                                                          const NeighborKernel& kernel,
+                                                          const Parallel& parallel);
 
 /** \brief Fills the sorted columns from the ranked candidates, the query first and equal distances by index. */
 void sort_with_ties(const SelectionColumns& candidates, std::size_t count, std::uint32_t self);

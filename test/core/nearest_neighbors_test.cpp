@@ -11,7 +11,7 @@ namespace pds_test
 namespace
 {
 
-using Positions = std::vector<Eigen::Vector3f>;
+using Positions = pds::PointArray<Eigen::Vector3f>;
 
 float squared_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
 {

@@ -32,11 +32,11 @@ struct SeedTriple
 /** \brief Geodesic Voronoi diagram of the seeds, discrete: every point belongs to its nearest seed's cell. */
 struct GeodesicVoronoi
 {
-  std::vector<std::size_t> cell_begin;    ///< by seed: begin of its points in cell_point; size seeds + 1
+  std::vector<std::size_t> cell_begin;   ///< by seed: begin of its points in cell_point; size seeds + 1
   PointArray<std::uint32_t> cell_point;  ///< ranks, ascending within a cell
   PointArray<std::uint8_t> witness;      ///< per point: 1 if it lies near a Voronoi edge
-  std::vector<SeedPair> pairs;            ///< ascending by (a, b)
-  std::vector<SeedTriple> triples;        ///< ascending by (a, b, c)
+  std::vector<SeedPair> pairs;           ///< ascending by (a, b)
+  std::vector<SeedTriple> triples;       ///< ascending by (a, b, c)
 };
 
 /** \brief Finds cells, witness points, bordering pairs and meeting triples (paper, flowchart steps 6 and 7).

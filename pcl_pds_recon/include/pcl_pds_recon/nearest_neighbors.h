@@ -20,7 +20,7 @@ namespace pds
  * \return row i, of k entries: the neighbours of point i by ascending distance, equal distances by ascending index
  */
 [[nodiscard]] PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
-                                                           std::size_t k,
-                                                           const Parallel& parallel);
+                                                          std::size_t k,
+                                                          const Parallel& parallel);
 
 }  // namespace pds

@@ -73,13 +73,13 @@ class NeighborRange
  */
 struct NeighborGraph
 {
-  std::size_t stride = 0;                    ///< room for own neighbours per point
+  std::size_t stride = 0;                   ///< room for own neighbours per point
   PointArray<std::uint32_t> own;            ///< own nearest neighbours, by ascending distance, at rank * stride
   PointArray<std::uint16_t> own_count;      ///< how many these are; empty if all rows are full
   PointArray<std::uint32_t> reverse_begin;  ///< size n + 1: beginnings of rows of reverse, from reverse_base on
-  std::vector<std::size_t> reverse_base;     ///< for every 2^base_bits points: where the first one's row begins
+  std::vector<std::size_t> reverse_base;    ///< for every 2^base_bits points: where the first one's row begins
   PointArray<std::uint32_t> reverse;        ///< points that list this one without being listed, by ascending rank
-  double sampling_interval = 0;              ///< mean distance to the own neighbours, in units of position
+  double sampling_interval = 0;             ///< mean distance to the own neighbours, in units of position
 
   /** Rows of so few points have fewer than 2^32 entries; offsets of all rows would take 8 bytes a point. */
   static constexpr int base_bits = 16;

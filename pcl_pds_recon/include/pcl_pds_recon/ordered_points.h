@@ -27,11 +27,11 @@ struct OrderedPoints
   PointArray<Eigen::Vector3f> position;     ///< by rank
   PointArray<std::uint32_t> input_index;    ///< by rank: the input point that represents this place
   PointArray<std::uint32_t> rank_of_input;  ///< by input index: rank of its representative, or no_rank
-  Eigen::Vector3d origin{0, 0, 0};           ///< input coordinates of position 0
-  double unit = 1;                           ///< input units per unit of position
-  std::size_t valid_points = 0;              ///< input points with finite coordinates
-  std::size_t merged_points = 0;             ///< of these, represented by a coincident one
-  std::size_t thinned_points = 0;            ///< of the rest, represented by one nearby (see thinning.h)
+  Eigen::Vector3d origin{0, 0, 0};          ///< input coordinates of position 0
+  double unit = 1;                          ///< input units per unit of position
+  std::size_t valid_points = 0;             ///< input points with finite coordinates
+  std::size_t merged_points = 0;            ///< of these, represented by a coincident one
+  std::size_t thinned_points = 0;           ///< of the rest, represented by one nearby (see thinning.h)
 
   [[nodiscard]] std::size_t size() const { return position.size(); }
 };

@@ -10,8 +10,8 @@
 namespace pds
 {
 
-/** \brief Memory for large arrays, in huge pages where the system has them: a page fault per 4 KiB would cost a tenth of
- * a run. */
+/** \brief Memory for large arrays, in huge pages where the system has them: a page fault per 4 KiB would cost a tenth
+ * of a run. */
 [[nodiscard]] void* allocate_large(std::size_t bytes);
 void free_large(void* memory) noexcept;
 

@@ -60,9 +60,9 @@ struct NearestSeeds
 /** \brief Poisson-disk samples of a cloud. */
 struct PoissonDiskSampling
 {
-  std::vector<std::uint32_t> seeds;   ///< ranks, ascending
+  std::vector<std::uint32_t> seeds;  ///< ranks, ascending
   PointArray<NearestSeeds> nearest;  ///< per point; seeds are named by their place in \a seeds
-  double radius = 0;                  ///< in units of position, in the run's metric
+  double radius = 0;                 ///< in units of position, in the run's metric
 };
 
 /** \brief How far beyond the radius disks are grown, in radii: a point near a Voronoi vertex then knows all three seeds
