@@ -10,9 +10,9 @@ namespace
 
 constexpr std::size_t lanes = 16;  // of the widest register
 
-// An arc counts if its chord leaves the tangent planes at its ends by at most this angle (sine squared; 39 degrees). Up
-// to there its length lies between that of a circle and that of a crease; on scans it differs from what marching finds
-// by less than 0.7 percent in the mean at every bend, and by 0.2 percent absolutely where surfaces are flat.
+// An arc counts if its chord leaves the tangent planes at its ends by at most this angle (sine squared; 39 degrees). On
+// a circle the closed form is then exact to 0.5 percent; on scans it differs from what marching finds by 0.2 percent
+// where surfaces are flat and by 3 percent at the largest bend, which is how well marching does there.
 constexpr float largest_bend = 0.4F;
 
 // Along an arc the weight is taken to change linearly; where its ends differ by more than this factor, it is no arc.
@@ -62,8 +62,10 @@ constexpr float even_weight = 1.25F;
       const float both = sa * a[i] + sb * b[i] + sc * c[i] < 0 ? -here * there : here * there;
       const float here2 = here * here, there2 = there * there;
       const float chord = std::sqrt(squared[i]);
-      // Slopes are tangents: squared heights over the rest of the squared chord, for which both ends share the mean.
-      const float stretch = (2 * here2 - both + 2 * there2) / (30 * (squared[i] - 0.5F * (here2 + there2)));
+      // Slopes are angles; to fourth order their squares are the sines' squares times a factor that both ends share.
+      const float sine2 = 0.5F * (here2 + there2) / squared[i];
+      const float to_angles = 1 + sine2 * (1.0F / 3 + sine2 * (8.0F / 45));
+      const float stretch = (2 * here2 - both + 2 * there2) / (30 * squared[i]) * to_angles;
       const float arc = 0.5F * (w[i] + query.weight) * chord * (1 + stretch);
       const bool is_arc = (here2 <= bend * squared[i]) & (there2 <= bend * squared[i]) & (squared[i] > 0) &
                           (w[i] >= lightest) & (w[i] <= heaviest);

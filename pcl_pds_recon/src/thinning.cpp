@@ -10,10 +10,11 @@ namespace pds
 namespace
 {
 
-constexpr std::size_t block = 16384;    // points per block
-constexpr int most_axis_bits = 21;      // of a voxel's number along an axis; three fit a 64-bit key
-constexpr double least_gain = 2.0;      // points per voxel; thinning by less does not pay
-constexpr double least_run_gain = 1.3;  // points per run; where runs are shorter, voxels hold hardly two points
+constexpr std::size_t block = 16384;      // points per block
+constexpr int most_axis_bits = 21;        // of a voxel's number along an axis; three fit a 64-bit key
+constexpr double least_gain = 2.0;        // points per voxel; thinning by less does not pay
+constexpr std::size_t least_left = 1000;  // points; fewer say nothing about a surface, however large the radius
+constexpr double least_run_gain = 1.3;    // points per run; where runs are shorter, voxels hold hardly two points
 
 /** \brief Consecutive points in one voxel. */
 struct VoxelRun
@@ -26,7 +27,10 @@ struct VoxelRun
 class VoxelGrid
 {
  public:
-  explicit VoxelGrid(double side) : voxels_per_unit_(1 / side), axis_bits_(std::ilogb(voxels_per_unit_ + 2) + 1) {}
+  explicit VoxelGrid(double side)
+      : voxels_per_unit_(1 / std::min(side, 1.0)), axis_bits_(std::ilogb(voxels_per_unit_ + 2) + 1)
+  {
+  }
 
   /** \brief False if there are too many voxels to number. */
   [[nodiscard]] bool usable() const { return axis_bits_ <= most_axis_bits; }
@@ -156,15 +160,19 @@ OrderedPoints keep_representatives(OrderedPoints points,
 
 OrderedPoints thin_points(OrderedPoints points, double voxel_side, const Parallel& parallel)
 {
-  const VoxelGrid grid(voxel_side);
-  if (points.size() < 2 || !grid.usable()) return points;
-  std::vector<VoxelRun> runs = find_runs(points, grid, parallel);
   const auto n = static_cast<double>(points.size());
-  if (n < least_run_gain * static_cast<double>(runs.size())) return points;
-  const VoxelRuns voxels = group_by_voxel(std::move(runs), grid, parallel);
-  if (n < least_gain * static_cast<double>(voxels.voxels())) return points;
-  const std::vector<std::uint32_t> representative = choose_representatives(points, voxels, parallel);
-  return keep_representatives(std::move(points), representative, voxels.voxels(), parallel);
+  for (double side = voxel_side; points.size() >= 2 * least_left; side /= 2) {
+    const VoxelGrid grid(side);
+    if (!grid.usable()) break;
+    std::vector<VoxelRun> runs = find_runs(points, grid, parallel);
+    if (n < least_run_gain * static_cast<double>(runs.size())) break;
+    const VoxelRuns voxels = group_by_voxel(std::move(runs), grid, parallel);
+    if (n < least_gain * static_cast<double>(voxels.voxels())) break;
+    if (voxels.voxels() < least_left) continue;
+    const std::vector<std::uint32_t> representative = choose_representatives(points, voxels, parallel);
+    return keep_representatives(std::move(points), representative, voxels.voxels(), parallel);
+  }
+  return points;
 }
 
 }  // namespace pds

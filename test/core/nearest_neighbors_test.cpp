@@ -39,7 +39,7 @@ void expect_equal_to_brute_force(const Positions& position, std::size_t k)
     expected.insert(expected.end(), row.begin(), row.end());
   }
   for (const pds::NeighborKernel* kernel : pds::neighbor_kernels()) {
-    const std::vector<std::uint32_t> found = pds::nearest_neighbors(position, k, *kernel, pds::Parallel(2));
+    const pds::PointArray<std::uint32_t> found = pds::nearest_neighbors(position, k, *kernel, pds::Parallel(2));
     ASSERT_EQ(found.size(), expected.size());
     const auto [wrong, right] = std::mismatch(found.begin(), found.end(), expected.begin());
     ASSERT_EQ(wrong, found.end()) << kernel->name << ", k " << k << ", point " << (wrong - found.begin()) / k
@@ -111,7 +111,7 @@ TEST(NearestNeighbors, AreRightInTheMiddleOfASphere)
 TEST(NearestNeighbors, DoNotDependOnInstructionSetOrThreads)
 {
   const Positions position = in_order(torus(large_cloud));
-  const std::vector<std::uint32_t> expected =
+  const pds::PointArray<std::uint32_t> expected =
       pds::nearest_neighbors(position, 15, pds::baseline_kernel, pds::Parallel(1));
   for (const pds::NeighborKernel* kernel : pds::neighbor_kernels())
     for (const unsigned threads : {1U, 2U, 3U})

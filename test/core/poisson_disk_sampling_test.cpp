@@ -141,7 +141,7 @@ TEST_P(SamplingTest, VoronoiCellsAreAPartition)
       pds::build_geodesic_voronoi(stages_.points, stages_.graph, weights_, sampling_, 0.1, stages_.parallel);
   ASSERT_EQ(voronoi.cell_begin.size(), sampling_.seeds.size() + 1);
   ASSERT_EQ(voronoi.cell_begin.back(), stages_.points.size());
-  std::vector<std::uint32_t> all = voronoi.cell_point;
+  pds::PointArray<std::uint32_t> all = voronoi.cell_point;
   for (std::size_t s = 0; s < sampling_.seeds.size(); ++s) {
     const auto begin = voronoi.cell_point.begin() + static_cast<std::ptrdiff_t>(voronoi.cell_begin[s]);
     const auto end = voronoi.cell_point.begin() + static_cast<std::ptrdiff_t>(voronoi.cell_begin[s + 1]);
