@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include "bucket_sort.h"
 #include "seed_evidence.h"
 
@@ -13,17 +14,23 @@ namespace
 
 constexpr std::size_t cells_per_block = 64;  // cells per block: some thousand points
 
+/** \brief By point: the seed whose cell it is in. What surrounds a point is looked up here, in a sixth of the memory.
+ */
+using Labels = PointArray<std::uint32_t>;
+
 /** \brief Fills cell_begin and cell_point, the latter in no order within a cell. */
-void group_by_cell(const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi, const Parallel& parallel)
+Labels group_by_cell(const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi, const Parallel& parallel)
 {
   constexpr std::size_t block = 32768;
-  const PointArray<NearestSeeds>& nearest = sampling.nearest;
+  const std::size_t points = sampling.nearest.size();
+  Labels label(points);
+  parallel.each(points, block, [&](std::size_t i) { label[i] = sampling.nearest[i].seed[0]; });
   // Points that follow one another are often of one cell, and counted at once.
   const auto each_run = [&](const auto& action) {
-    parallel.blocks(nearest.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+    parallel.blocks(points, block, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t first = begin, last = begin; first < end; first = last) {
-        const std::uint32_t seed = nearest[first].seed[0];
-        while (last < end && nearest[last].seed[0] == seed) ++last;
+        const std::uint32_t seed = label[first];
+        while (last < end && label[last] == seed) ++last;
         action(seed, first, static_cast<std::uint32_t>(last - first));
       }
     });
@@ -31,11 +38,12 @@ void group_by_cell(const PoissonDiskSampling& sampling, GeodesicVoronoi& voronoi
   BucketSort by_cell(sampling.seeds.size());
   each_run([&](std::uint32_t seed, std::size_t, std::uint32_t size) { by_cell.count(seed, size); });
   voronoi.cell_begin = by_cell.begins();
-  voronoi.cell_point.resize(nearest.size());
+  voronoi.cell_point.resize(points);
   each_run([&](std::uint32_t seed, std::size_t first, std::uint32_t size) {
     const auto place = voronoi.cell_point.begin() + static_cast<std::ptrdiff_t>(by_cell.place(seed, size));
     std::iota(place, place + size, static_cast<std::uint32_t>(first));
   });
+  return label;
 }
 
 /** \brief Says which points lie near a Voronoi edge (the paper's criterion). */
@@ -55,7 +63,11 @@ class WitnessRule
   float radius_, limit_;
 };
 
-/** \brief Collects what one cell sees of its surroundings. Small linear lists: a cell has about six neighbours. */
+/** \brief Collects what one cell after the other sees of its surroundings.
+ *
+ * The cells beside one, about six, have small numbers, their slots: nothing is searched for, and little is left to
+ * branches that cannot be foretold.
+ */
 class CellSurvey
 {
  public:
@@ -63,42 +75,50 @@ class CellSurvey
              const NeighborGraph& graph,
              const EdgeWeights& weights,
              const PoissonDiskSampling& sampling,
+             const Labels& label,
              const WitnessRule& is_witness)
       : points_(points),
         graph_(graph),
         weights_(weights),
-        nearest_(sampling.nearest),
+        nearest_(sampling.nearest.data()),
+        label_(label.data()),
         is_witness_(is_witness),
-        corner_limit_(corner_threshold * static_cast<float>(sampling.radius))
+        corner_limit_(corner_threshold * static_cast<float>(sampling.radius)),
+        slot_of_(sampling.seeds.size(), no_slot),
+        strangers_(graph.stride),
+        meetings_(graph.stride)
   {
   }
 
-  void survey(std::uint32_t seed,
-              const std::uint32_t* begin,
-              const std::uint32_t* end,
-              PointArray<std::uint8_t>& witness)
+  void survey(std::uint32_t seed, const std::uint32_t* begin, const std::uint32_t* end, std::uint8_t* witness)
   {
-    seed_ = seed;
+    for (const Border& b : borders_) slot_of_[b.other] = no_slot;
     borders_.clear();
-    corners_.clear();
+    votes_.clear();
+    seed_ = seed;
     for (const std::uint32_t* point = begin; point != end; ++point) {
       const NearestSeeds& nearest = nearest_[*point];
       witness[*point] = is_witness_(nearest) ? 1 : 0;
       if (witness[*point] != 0) count_witness(nearest);
       // A point about as far from three seeds is near the place where their cells meet.
-      if (nearest.distance[2] - nearest.distance[0] < corner_limit_) vote(nearest.seed[1], nearest.seed[2]);
+      if (nearest.distance[2] - nearest.distance[0] < corner_limit_)
+        ++votes(slot_of(nearest.seed[1]), slot_of(nearest.seed[2]));
       survey_surroundings(*point, nearest.distance[0]);
     }
   }
 
-  void append_to(std::vector<SeedPair>& pairs, std::vector<SeedTriple>& triples) const
+  void append_to(std::vector<SeedPair>& pairs, std::vector<SeedTriple>& triples)
   {
-    for (const Border& b : borders_)
-      pairs.push_back({std::min(seed_, b.other), std::max(seed_, b.other), b.witnesses, b.path});
-    for (const Corner& c : corners_) {
-      std::array<std::uint32_t, 3> v{seed_, c.low, c.high};
-      std::sort(v.begin(), v.end());
-      triples.push_back({v[0], v[1], v[2], c.votes});
+    for (std::uint32_t high = 0; high < borders_.size(); ++high) {
+      const Border& b = borders_[high];
+      if (b.path < NearestSeeds::infinity)
+        pairs.push_back({std::min(seed_, b.other), std::max(seed_, b.other), b.witnesses, b.path});
+      for (std::uint32_t low = 0; low < high; ++low) {
+        if (votes(low, high) == 0) continue;
+        std::array<std::uint32_t, 3> v{seed_, borders_[low].other, b.other};
+        std::sort(v.begin(), v.end());
+        triples.push_back({v[0], v[1], v[2], votes(low, high)});
+      }
     }
   }
 
@@ -107,41 +127,36 @@ class CellSurvey
   {
     std::uint32_t other;
     std::uint32_t witnesses;
-    float path;
+    float path;                ///< infinite: no border, only a corner that a point is near to
+    std::uint32_t last_point;  ///< the last one that saw the other cell
   };
-  struct Corner
+  /** \brief A point of another cell, the nearest of that cell to the point in question. */
+  struct Meeting
   {
-    std::uint32_t low, high;
-    std::uint32_t votes;
-  };
-  struct Stranger
-  {
-    std::uint32_t label;  ///< not of the cell that is surveyed
-    std::uint32_t point;
+    std::uint32_t slot, point;
   };
 
-  Border& border(std::uint32_t other)
+  std::uint32_t slot_of(std::uint32_t seed)
   {
-    for (Border& b : borders_)
-      if (b.other == other) return b;
-    borders_.push_back({other, 0, NearestSeeds::infinity});
-    return borders_.back();
+    std::uint32_t& slot = slot_of_[seed];
+    if (slot == no_slot) {
+      slot = static_cast<std::uint32_t>(borders_.size());
+      borders_.push_back({seed, 0, NearestSeeds::infinity, no_rank});
+      votes_.resize(votes_.size() + slot);
+    }
+    return slot;
   }
 
-  void vote(std::uint32_t s, std::uint32_t t)
+  /** \brief For the corner between this cell and those in two slots. */
+  std::uint32_t& votes(std::uint32_t s, std::uint32_t t)
   {
-    const auto [low, high] = std::minmax(s, t);
-    for (Corner& c : corners_)
-      if (c.low == low && c.high == high) {
-        ++c.votes;
-        return;
-      }
-    corners_.push_back({low, high, 1});
+    const std::size_t high = std::max(s, t);
+    return votes_[high * (high - 1) / 2 + std::min(s, t)];
   }
 
   void count_witness(const NearestSeeds& nearest)
   {
-    Border& b = border(nearest.seed[1]);
+    Border& b = borders_[slot_of(nearest.seed[1])];
     ++b.witnesses;
     b.path = std::min(b.path, nearest.distance[0] + nearest.distance[1]);
   }
@@ -151,28 +166,26 @@ class CellSurvey
   void survey_surroundings(std::uint32_t point, float distance)
   {
     const NeighborSpan row = graph_.nearest(point);
-    if (strangers_.size() < row.size()) strangers_.resize(row.size());
     // Whether the next one is a stranger cannot be foretold: written without a branch this takes half the time.
-    std::size_t count = 0;
+    std::size_t strangers = 0;
     for (const std::uint32_t neighbor : row) {
-      const std::uint32_t label = nearest_[neighbor].seed[0];
-      strangers_[count] = {label, neighbor};
-      count += label != seed_ ? 1 : 0;
+      strangers_[strangers] = neighbor;
+      strangers += label_[neighbor] != seed_ ? 1 : 0;
     }
     std::size_t cells = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Stranger stranger = strangers_[i];
-      const auto same_cell = [&](const Stranger& nearer) { return nearer.label == stranger.label; };
-      if (std::any_of(strangers_.data(), strangers_.data() + cells, same_cell)) continue;
-      strangers_[cells++] = stranger;
-      survey_edge(point, distance, stranger);
+    for (std::size_t i = 0; i < strangers; ++i) {
+      const std::uint32_t slot = slot_of(label_[strangers_[i]]);
+      meetings_[cells] = {slot, strangers_[i]};
+      cells += borders_[slot].last_point != point ? 1 : 0;
+      borders_[slot].last_point = point;
     }
+    for (std::size_t i = 0; i < cells; ++i) survey_edge(point, distance, meetings_[i]);
     if (cells > 1) survey_corner(cells, (at(point) - at(*(row.end() - 1))).squaredNorm());
   }
 
-  void survey_edge(std::uint32_t point, float distance, const Stranger& stranger)
+  void survey_edge(std::uint32_t point, float distance, const Meeting& stranger)
   {
-    Border& b = border(stranger.label);
+    Border& b = borders_[stranger.slot];
     const float both = distance + nearest_[stranger.point].distance[0];
     if (both >= b.path) return;
     const float weight = 0.5F * (weights_.at(point) + weights_.at(stranger.point));
@@ -183,25 +196,30 @@ class CellSurvey
   void survey_corner(std::size_t cells, float reach2)
   {
     for (std::size_t i = 1; i < cells; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if ((at(strangers_[i].point) - at(strangers_[j].point)).squaredNorm() <= reach2)
-          vote(strangers_[i].label, strangers_[j].label);
+      for (std::size_t j = 0; j < i; ++j) {
+        const float distance2 = (at(meetings_[i].point) - at(meetings_[j].point)).squaredNorm();
+        votes(meetings_[i].slot, meetings_[j].slot) += distance2 <= reach2 ? 1 : 0;
+      }
   }
 
   [[nodiscard]] const Eigen::Vector3f& at(std::uint32_t point) const { return points_.position[point]; }
 
   static constexpr float corner_threshold = 0.2F;  // radii; a point this near to a Voronoi vertex votes for it
+  static constexpr std::uint32_t no_slot = 0xffffffffU;
 
   const OrderedPoints& points_;
   const NeighborGraph& graph_;
   const EdgeWeights& weights_;
-  const PointArray<NearestSeeds>& nearest_;
+  const NearestSeeds* nearest_;
+  const std::uint32_t* label_;
   const WitnessRule& is_witness_;
   float corner_limit_;
   std::uint32_t seed_ = NearestSeeds::none;
-  std::vector<Border> borders_;
-  std::vector<Corner> corners_;
-  std::vector<Stranger> strangers_;  ///< of one point: the first few of different cells
+  std::vector<std::uint32_t> slot_of_;    ///< by seed
+  std::vector<Border> borders_;           ///< by slot
+  std::vector<std::uint32_t> votes_;      ///< by two slots, the higher one first
+  std::vector<std::uint32_t> strangers_;  ///< of one point: its neighbours in other cells
+  std::vector<Meeting> meetings_;         ///< of one point
 };
 
 }  // namespace
@@ -214,20 +232,22 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
                                        const Parallel& parallel)
 {
   GeodesicVoronoi voronoi;
-  group_by_cell(sampling, voronoi, parallel);
+  const Labels label = group_by_cell(sampling, voronoi, parallel);
   voronoi.witness.resize(sampling.nearest.size());
 
   const WitnessRule is_witness(sampling, threshold);
   std::vector<std::vector<SeedPair>> pairs(parallel.threads());
   std::vector<std::vector<SeedTriple>> triples(parallel.threads());
+  std::vector<std::optional<CellSurvey>> survey_of_worker(parallel.threads());
   parallel.blocks(sampling.seeds.size(), cells_per_block, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    CellSurvey cell(points, graph, weights, sampling, is_witness);
+    std::optional<CellSurvey>& cell = survey_of_worker[worker];
+    if (!cell) cell.emplace(points, graph, weights, sampling, label, is_witness);
     for (std::size_t s = begin; s < end; ++s) {
       std::uint32_t* const first = voronoi.cell_point.data() + voronoi.cell_begin[s];
       std::uint32_t* const last = voronoi.cell_point.data() + voronoi.cell_begin[s + 1];
       if (!std::is_sorted(first, last)) std::sort(first, last);
-      cell.survey(static_cast<std::uint32_t>(s), first, last, voronoi.witness);
-      cell.append_to(pairs[worker], triples[worker]);
+      cell->survey(static_cast<std::uint32_t>(s), first, last, voronoi.witness.data());
+      cell->append_to(pairs[worker], triples[worker]);
     }
   });
 

@@ -14,6 +14,7 @@ namespace
 using Eigen::Vector3d;
 
 constexpr std::size_t pairs_per_block = 1024;
+constexpr std::size_t seeds_per_block = 256;
 
 std::uint64_t rank_of(const SeedPair& p)
 {
@@ -51,16 +52,16 @@ class CrossingSearch
     // Not "less than": seeds that coincide give no number, and have no such plane either.
     if (!(normal.squaredNorm() >= smallest_normal * smallest_normal)) return;
     const Vector3d left = normal.cross(along);
+    // Better edges stand before the pair itself in the rows of its ends.
     for (const std::uint32_t end : {a, b})
-      for (const PairGraph::Edge* link = graph_.first(end); link != graph_.last(end); ++link) {
+      for (const PairGraph::Edge* link = graph_.first(end); link->better_than(pair); ++link) {
         const std::uint32_t c = link->other;
-        if (c == a || c == b || !link->better_than(pair)) continue;
+        if (c == a || c == b) continue;
         const double c_side = left.dot(position_[c] - position_[a]);
-        for (const PairGraph::Edge* edge = graph_.first(c); edge != graph_.last(c); ++edge) {
+        for (const PairGraph::Edge* edge = graph_.first(c); edge != graph_.last(c) && edge->better_than(pair); ++edge) {
           const std::uint32_t d = edge->other;
-          if (d == a || d == b || !edge->better_than(pair)) continue;
-          if (c_side * left.dot(position_[d] - position_[a]) < 0 && separates(c, d, a, b, normal))
-            crossings.push_back({pair, edge->pair, link->pair});
+          if (!(c_side * left.dot(position_[d] - position_[a]) < 0) || d == a || d == b) continue;
+          if (separates(c, d, a, b, normal)) crossings.push_back({pair, edge->pair, link->pair});
         }
       }
   }
@@ -97,6 +98,11 @@ PairGraph::PairGraph(std::size_t seed_count, const std::vector<SeedPair>& pairs,
     edge[by_seed.place(pairs[p].a)] = {rank, static_cast<std::uint32_t>(p), pairs[p].b};
     edge[by_seed.place(pairs[p].b)] = {rank, static_cast<std::uint32_t>(p), pairs[p].a};
   });
+  parallel.each(seed_count, seeds_per_block, [&](std::size_t s) {
+    std::sort(edge.begin() + static_cast<std::ptrdiff_t>(begin[s]),
+              edge.begin() + static_cast<std::ptrdiff_t>(begin[s + 1]),
+              [](const Edge& x, const Edge& y) { return x.better_than(y); });
+  });
 }
 
 std::vector<std::uint8_t> choose_planar_edges(const SeedGeometry& seeds,
@@ -105,7 +111,6 @@ std::vector<std::uint8_t> choose_planar_edges(const SeedGeometry& seeds,
                                               const Parallel& parallel)
 {
   using Crossings = std::vector<Crossing>;
-  constexpr std::size_t seeds_per_block = 256;
   const CrossingSearch search(seeds, graph);
   Crossings crossings;
   for (const Crossings& part : parallel_parts<Crossings>(

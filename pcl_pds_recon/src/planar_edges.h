@@ -22,7 +22,7 @@ struct PairGraph
     [[nodiscard]] bool better_than(const Edge& e) const { return rank != e.rank ? rank < e.rank : pair < e.pair; }
   };
   std::vector<std::size_t> begin;  ///< by seed: its first edge; size seeds + 1
-  std::vector<Edge> edge;          ///< in no order within a seed
+  std::vector<Edge> edge;          ///< those at a seed from the best to the worst
 
   PairGraph(std::size_t seed_count, const std::vector<SeedPair>& pairs, const Parallel& parallel);
   [[nodiscard]] const Edge* first(std::size_t seed) const { return edge.data() + begin[seed]; }

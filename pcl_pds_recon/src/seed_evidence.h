@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <tuple>
+#include <cstdint>
 #include <vector>
 
 #include <pcl_pds_recon/geodesic_voronoi.h>
@@ -12,10 +12,12 @@
 namespace pds
 {
 
-inline bool operator<(const SeedPair& x, const SeedPair& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); }
-inline bool operator<(const SeedTriple& x, const SeedTriple& y)
+/** \brief Orders what has the same lowest seed, and is the same for the same thing. */
+inline std::uint64_t key_of(const SeedPair& p) { return p.b; }
+inline std::uint64_t key_of(const SeedTriple& t)
 {
-  return std::tie(x.a, x.b, x.c) < std::tie(y.a, y.b, y.c);
+  constexpr unsigned seed_bits = 32;
+  return std::uint64_t{t.b} << seed_bits | t.c;
 }
 
 /** \brief Adds up two pieces of evidence for the same thing. Neither sum nor minimum depends on their order. */
@@ -51,10 +53,10 @@ std::vector<Evidence> merge_evidence(const std::vector<std::vector<Evidence>>& s
   parallel.each(seed_count, seeds_per_block, [&](std::size_t s) {
     const auto first = sorted.begin() + static_cast<std::ptrdiff_t>(begin[s]);
     const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(begin[s + 1]);
-    std::sort(first, last);
+    std::sort(first, last, [](const Evidence& x, const Evidence& y) { return key_of(x) < key_of(y); });
     auto end = first;
     for (auto e = first; e != last; ++e) {
-      if (end != first && !(*(end - 1) < *e))
+      if (end != first && key_of(*(end - 1)) == key_of(*e))
         add_up(*(end - 1), *e);
       else if (keep(*e))
         *end++ = *e;
