@@ -17,6 +17,7 @@ class LasFile
       : header_(minor_version < 4 ? 227 : 375, '\0')
   {
     header_.replace(0, 4, "LASF");
+    set(6, static_cast<std::uint16_t>(format < 6 ? 0 : 16));  // the standard wants the flag for WKT
     set(24, std::uint8_t{1});
     set(25, minor_version);
     set(94, static_cast<std::uint16_t>(header_.size()));

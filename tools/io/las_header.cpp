@@ -19,7 +19,9 @@ static_assert(boost::endian::order::native == boost::endian::order::little, "LAS
 
 // ASPRS LAS 1.4 R15, table 3: places in the public header block.
 constexpr std::size_t minor_version_at = 25;
+constexpr std::size_t header_bytes_at = 94;
 constexpr std::size_t begin_at = 96;
+constexpr std::size_t record_count_at = 100;
 constexpr std::size_t point_format_at = 104;
 constexpr std::size_t record_bytes_at = 105;
 constexpr std::size_t legacy_count_at = 107;
@@ -44,16 +46,21 @@ Number get(const std::string& header, std::size_t place)
   return number;
 }
 
-std::size_t parse_point_format(std::uint8_t code)
+std::size_t parse_point_format(std::uint8_t code, LasCompression compression)
 {
   constexpr std::uint8_t compressed = 0xC0;  // LASzip sets one of the two highest bits
-  if ((code & compressed) != 0) {
+  const bool is_compressed = (code & compressed) != 0;
+  if (is_compressed && compression == LasCompression::none) {
     throw InvalidInput("is compressed; let its name end in .laz, which a build with PDAL reads");
   }
-  if (code >= standard_bytes.size()) {
-    throw_damaged("the unknown point format " + std::to_string(code));
+  if (!is_compressed && compression == LasCompression::laszip) {
+    throw InvalidInput("is not compressed; let its name end in .las");
   }
-  return code;
+  const std::size_t format = code & ~compressed;
+  if (format >= standard_bytes.size()) {
+    throw_damaged("the unknown point format " + std::to_string(format));
+  }
+  return format;
 }
 
 std::uint64_t parse_count(const std::string& header)
@@ -72,7 +79,7 @@ std::uint64_t parse_count(const std::string& header)
 
 std::size_t las_standard_bytes(std::size_t point_format) { return standard_bytes.at(point_format); }
 
-LasHeader read_las_header(const ByteSource& source)
+LasHeader read_las_header(const ByteSource& source, LasCompression compression)
 {
   const std::string bytes = source.head(header_bytes_1_4);
   if (bytes.compare(0, 4, "LASF") != 0) {
@@ -82,7 +89,9 @@ LasHeader read_las_header(const ByteSource& source)
     throw InvalidInput("the LAS header is cut short; copy the file again");
   }
   LasHeader header;
-  header.point_format = parse_point_format(get<std::uint8_t>(bytes, point_format_at));
+  header.point_format = parse_point_format(get<std::uint8_t>(bytes, point_format_at), compression);
+  header.header_bytes = get<std::uint16_t>(bytes, header_bytes_at);
+  header.record_count = get<std::uint32_t>(bytes, record_count_at);
   header.record_bytes = get<std::uint16_t>(bytes, record_bytes_at);
   header.begin = get<std::uint32_t>(bytes, begin_at);
   header.count = parse_count(bytes);
@@ -100,7 +109,9 @@ LasHeader read_las_header(const ByteSource& source)
   if (header.begin < header_bytes) {
     throw_damaged("points inside the header");
   }
-  if (header.begin > source.size() || header.count > (source.size() - header.begin) / header.record_bytes) {
+  const std::size_t record_bytes = compression == LasCompression::none ? header.record_bytes : 0;
+  if (header.begin > source.size() ||
+      (record_bytes != 0 && header.count > (source.size() - header.begin) / record_bytes)) {
     throw InvalidInput("holds fewer data than its LAS header announces: the file is cut short; copy it again");
   }
   return header;

@@ -10,6 +10,13 @@
 namespace pds
 {
 
+/** \brief How the point records are stored. */
+enum class LasCompression
+{
+  none,   ///< .las
+  laszip  ///< .laz
+};
+
 /** \brief What the public header of a LAS file says about its point records. */
 struct LasHeader
 {
@@ -19,12 +26,15 @@ struct LasHeader
   std::uint64_t count = 0;
   std::array<double, 3> scale{};   ///< of x, y and z: coordinate = scale * integer + offset
   std::array<double, 3> offset{};  ///< of x, y and z
+  std::size_t header_bytes = 0;    ///< where the variable-length records begin
+  std::uint32_t record_count = 0;  ///< variable-length records
 };
 
 /** \brief Reads the header of a LAS file, version 1.0 to 1.4.
- * \throws InvalidInput if it is not one, is compressed, damaged, or announces more records than the file holds
+ * \throws InvalidInput if it is not one, is not compressed as \a compression says, damaged, or, if not compressed,
+ * announces more records than the file holds
  */
-[[nodiscard]] LasHeader read_las_header(const ByteSource& source);
+[[nodiscard]] LasHeader read_las_header(const ByteSource& source, LasCompression compression);
 
 /** \brief Bytes of a record of this format as the standard lays it out; a file may append more. */
 [[nodiscard]] std::size_t las_standard_bytes(std::size_t point_format);

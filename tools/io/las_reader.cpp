@@ -165,7 +165,7 @@ std::string what_is_not_read(const LasHeader& header)
 
 PointTable read_las(const ByteSource& source, const Parallel& parallel)
 {
-  const LasHeader header = read_las_header(source);
+  const LasHeader header = read_las_header(source, LasCompression::none);
   const LasLayout layout = las_layout(header.point_format);
   const std::uint16_t divisor =
       layout.has_color() ? survey_colors(source, header, layout.color_at, parallel).divisor() : std::uint16_t{0};

@@ -5,6 +5,7 @@
 #include "io/byte_source.h"
 #include "io/file_extension.h"
 #include "io/las_reader.h"
+#include "io/laz_check.h"
 #include "io/obj_reader.h"
 #include "io/pcd_reader.h"
 #include "io/ply_reader.h"
@@ -58,7 +59,11 @@ PointTable read_by_extension(const std::string& path, const Parallel& parallel)
   if (extension == ".las") {
     return read_las(ByteSource::from_file(path), parallel);
   }
-  if (extension == ".laz" || extension == ".e57") {
+  if (extension == ".laz") {
+    check_laz(ByteSource::from_file(path));
+    return read_with_pdal_if_built(path);
+  }
+  if (extension == ".e57") {
     static_cast<void>(ByteSource::from_file(path));  // says in our words if there is no such file
     return read_with_pdal_if_built(path);
   }

@@ -40,7 +40,7 @@ void copy_scalars(
   for (std::size_t i = 0; i < count; ++i) {
     Source scalar;
     std::memcpy(&scalar, source + i * source_stride, sizeof scalar);
-    const auto converted = static_cast<Target>(scalar);
+    const auto converted = static_cast<Target>(scalar);  // NOLINT(bugprone-signed-char-misuse): a number, no letter
     std::memcpy(target + i * target_stride, &converted, sizeof converted);
   }
 }
