@@ -34,7 +34,9 @@ struct Planes
 {
   double x[lanes], y[lanes], z[lanes];  ///< unit normal
   double variance[lanes];               ///< along it
-  bool certain[lanes];                  ///< false: the points are on a line, or spread alike in all directions
+  /// 0: the points are on a line, or spread alike in all directions; else 1. No bool: GCC 12 makes no vector code of a
+  /// loop that writes values narrower than those it reads
+  double certain[lanes];
 };
 
 /** \brief Covariances of each point and its neighbours.
@@ -149,7 +151,7 @@ struct Planes
     planes.y[l] = ny / divisor;
     planes.z[l] = nz / divisor;
     planes.variance[l] = least;
-    planes.certain[l] = certain;
+    planes.certain[l] = certain ? 1.0 : 0.0;
     a.xx[l] = xx;
     a.yy[l] = yy;
     a.zz[l] = zz;
@@ -238,7 +240,7 @@ void fit_planes(InstructionSet set,
     fit_lanes(in, rest, planes, curvature);
     for (std::size_t l = 0; l < lanes && first + l < end; ++l) {
       Eigen::Vector3d normal(planes.x[l], planes.y[l], planes.z[l]);
-      if (!planes.certain[l]) normal = any_direction_across(rest, l);
+      if (planes.certain[l] == 0) normal = any_direction_across(rest, l);
       const bool surface_here = in.count[l] >= 2;
       surface.normal[first + l] = surface_here ? normal.cast<float>() : Eigen::Vector3f(0, 0, 0);
       surface.curvature[first + l] = surface_here ? curvature[l] : 0.0F;
