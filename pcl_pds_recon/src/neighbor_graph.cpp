@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
-#include "radix_sort.h"
+#include "reverse_edges.h"
 
 namespace pds
 {
@@ -17,10 +16,11 @@ namespace
 
 constexpr std::size_t block = 4096;  // points per block: some 0.2 ms
 
-float squared_distance(const OrderedPoints& points, std::size_t a, std::size_t b)
+/** \brief Added up in the order of the search, with its rounding. */
+float squared_distance(const Eigen::Vector3f& a, const Eigen::Vector3f& b)
 {
-  const Eigen::Vector3f d = points.position[a] - points.position[b];
-  return d.x() * d.x() + d.y() * d.y() + d.z() * d.z();  // added up in the order of the search, with its rounding
+  const Eigen::Vector3f d = a - b;
+  return d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
 }
 
 /** \brief Asks the caller's search for ever more neighbours until k distinct places are known. */
@@ -41,7 +41,8 @@ void search_row(const OrderedPoints& points, const PointCloudView& cloud, std::u
     if (ranks.size() >= graph.stride || found.size() < count || count > points.rank_of_input.size()) break;
   }
   std::stable_sort(ranks.begin(), ranks.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return squared_distance(points, rank, a) < squared_distance(points, rank, b);
+    return squared_distance(points.position[rank], points.position[a]) <
+           squared_distance(points.position[rank], points.position[b]);
   });
   if (ranks.size() > graph.stride) ranks.resize(graph.stride);
   std::copy(ranks.begin(), ranks.end(), graph.own.begin() + static_cast<std::ptrdiff_t>(rank * graph.stride));
@@ -62,13 +63,6 @@ void find_own_neighbors(const OrderedPoints& points,
   for (std::uint32_t rank = 0; rank < points.size(); ++rank) search_row(points, cloud, rank, graph);
 }
 
-/** \brief What one end of an edge lists and the other does not. */
-struct ReverseEdge
-{
-  std::uint32_t listed;
-  std::uint32_t lister;
-};
-
 /** \brief Tells whether a point lists another, for rows that hold all of the nearest: those not beyond the last one. */
 class CompleteRows
 {
@@ -78,7 +72,7 @@ class CompleteRows
   {
     parallel.each(points.size(), block, [&](std::size_t i) {
       const std::uint32_t last = graph.own[(i + 1) * graph.stride - 1];
-      last_[i] = place(squared_distance(points, i, last), last);
+      last_[i] = place(squared_distance(points.position[i], points.position[last]), last);
     });
   }
 
@@ -115,100 +109,81 @@ class AnyRows
   const NeighborGraph& graph_;
 };
 
-/** \brief What one walk over the rows of some points finds. */
-struct RowSurvey
+/** \brief Sum of the distances of neighbours. */
+class Lengths
 {
-  double length = 0;  ///< sum of the distances of all neighbours
-  std::size_t length_count = 0;
-  std::vector<ReverseEdge> edges;  ///< by ascending lister
+ public:
+  static constexpr std::size_t lanes = 4;  // roots that are taken together: floats in the narrowest vector register
 
-  RowSurvey& operator+=(const RowSurvey& other)
+  /** \param squares with zeros behind the last one, up to the next multiple of \a lanes */
+  void add(const float* squares, std::size_t count)
   {
-    length += other.length;
-    length_count += other.length_count;
+    for (std::size_t j = 0; j < count; j += lanes)
+      for (std::size_t l = 0; l < lanes; ++l) sum_[l] += static_cast<double>(std::sqrt(squares[j + l]));
+    count_ += count;
+  }
+  Lengths& operator+=(const Lengths& other)
+  {
+    for (std::size_t l = 0; l < lanes; ++l) sum_[l] += other.sum_[l];
+    count_ += other.count_;
     return *this;
   }
+  [[nodiscard]] double mean() const
+  {
+    return count_ > 0 ? ((sum_[0] + sum_[1]) + (sum_[2] + sum_[3])) / static_cast<double>(count_) : 0.0;
+  }
+
+ private:
+  double sum_[lanes] = {};
+  std::size_t count_ = 0;
 };
 
+/** \brief One walk over the rows of the points begin ... end - 1.
+ * \param edges receives the edges that only these list; has room for all and one more
+ * \return the end of these edges
+ */
 template <typename Rows>
-RowSurvey survey_rows(
-    const OrderedPoints& points, const NeighborGraph& graph, const Rows& rows, std::size_t begin, std::size_t end)
+ReverseEdge* survey_rows(const OrderedPoints& points,
+                         const NeighborGraph& graph,
+                         const Rows& rows,
+                         std::size_t begin,
+                         std::size_t end,
+                         ReverseEdge* edges,
+                         Lengths& lengths)
 {
-  RowSurvey survey;
-  std::size_t edge_count = 0;
+  std::vector<float> squares(graph.stride + Lengths::lanes);
   for (std::size_t i = begin; i < end; ++i) {
     const auto own = static_cast<std::uint32_t>(i);
-    // Without branches: every edge is written, and stays if the next place is beyond it.
-    if (survey.edges.size() < edge_count + graph.stride) survey.edges.resize(2 * edge_count + graph.stride);
-    for (const std::uint32_t j : graph.nearest(i)) {
-      const float squared = squared_distance(points, i, j);
-      survey.length += static_cast<double>(std::sqrt(squared));
-      survey.edges[edge_count] = {j, own};
-      edge_count += rows.lists(j, own, squared) ? 0U : 1U;
+    const NeighborSpan row = graph.nearest(i);
+    const Eigen::Vector3f center = points.position[i];
+    float* square = squares.data();
+    for (const std::uint32_t j : row) *square++ = squared_distance(center, points.position[j]);
+    std::fill_n(square, Lengths::lanes, 0.0F);
+    lengths.add(squares.data(), row.size());
+    square = squares.data();
+    for (const std::uint32_t j : row) {
+      // Without branches: every edge is written, and stays if the next place is beyond it.
+      *edges = {j, own};
+      edges += rows.lists(j, own, *square++) ? 0 : 1;
     }
-    survey.length_count += graph.nearest(i).size();
   }
-  survey.edges.resize(edge_count);
-  return survey;
-}
-
-/** \brief Files edges, which are sorted by the point that is listed, as rows of the graph. */
-void file_rows(const ReverseEdge* edges,
-               std::size_t edge_count,
-               std::size_t point_count,
-               NeighborGraph& graph,
-               const Parallel& parallel)
-{
-  constexpr std::size_t base_points = std::size_t{1} << NeighborGraph::base_bits;
-  for (std::size_t first = 0; first < point_count + base_points; first += base_points) {
-    const ReverseEdge* row =
-        std::partition_point(edges, edges + edge_count, [first](const ReverseEdge& e) { return e.listed < first; });
-    graph.reverse_base.push_back(static_cast<std::size_t>(row - edges));
-    if (first > 0 &&
-        graph.reverse_base.back() - graph.reverse_base.end()[-2] > std::numeric_limits<std::uint32_t>::max())
-      throw InvalidInput("the neighbour search gives the same few points as neighbours of all");
-  }
-  graph.reverse.resize(edge_count);
-  graph.reverse_begin.resize(point_count + 1);
-  // Edge e begins the rows of all points after the one before it that is listed, up to its own.
-  parallel.each(edge_count + 1, block, [&](std::size_t e) {
-    const std::size_t first = e > 0 ? std::size_t{edges[e - 1].listed} + 1 : 0;
-    const std::size_t last = e < edge_count ? edges[e].listed : point_count;
-    for (std::size_t i = first; i <= last; ++i)
-      graph.reverse_begin[i] = static_cast<std::uint32_t>(e - graph.reverse_base[i >> NeighborGraph::base_bits]);
-    if (e < edge_count) graph.reverse[e] = edges[e].lister;
-  });
+  return edges;
 }
 
 /** \brief Measures the sampling interval, and files edges that only one end lists with the other end as well. */
 template <typename Rows>
 void join_rows(const OrderedPoints& points, const Rows& rows, NeighborGraph& graph, const Parallel& parallel)
 {
-  const std::size_t n = points.size();
-  std::vector<RowSurvey> surveys((n + block - 1) / block);
-  parallel.blocks(n, block, [&](std::size_t begin, std::size_t end, unsigned) {
-    surveys[begin / block] = survey_rows(points, graph, rows, begin, end);
+  ReverseEdges reverse(points.size());
+  const auto lengths = parallel.sum(points.size(), reverse.tile_size(), [&](std::size_t begin, std::size_t end) {
+    Lengths part;
+    const auto edges = make_raw_array<ReverseEdge>((end - begin) * graph.stride + 1);
+    const ReverseEdge* last = survey_rows(points, graph, rows, begin, end, edges.get(), part);
+    reverse.add(begin / reverse.tile_size(), edges.get(), static_cast<std::size_t>(last - edges.get()));
+    return part;
   });
-  RowSurvey total;
-  std::vector<std::size_t> first_edge{0};
-  for (const RowSurvey& survey : surveys) {
-    total += survey;
-    first_edge.push_back(first_edge.back() + survey.edges.size());
-  }
-  if (total.length_count > 0) graph.sampling_interval = total.length / static_cast<double>(total.length_count);
-
-  const auto edges = make_raw_array<ReverseEdge>(first_edge.back());
-  const auto other = make_raw_array<ReverseEdge>(first_edge.back());
-  parallel.each(surveys.size(), 1, [&](std::size_t b) {
-    std::copy(surveys[b].edges.begin(), surveys[b].edges.end(), edges.get() + first_edge[b]);
-    surveys[b].edges = {};
-  });
-  int rank_bits = 1;
-  while (n >> rank_bits > 0) ++rank_bits;
-  const ReverseEdge* sorted = radix_sort(
-      edges.get(), other.get(), first_edge.back(), {0, rank_bits}, [](const ReverseEdge& e) { return e.listed; },
-      parallel);
-  file_rows(sorted, first_edge.back(), n, graph, parallel);
+  graph.sampling_interval = lengths.mean();
+  reverse.file(graph, parallel);
 }
 
 }  // namespace
@@ -220,7 +195,7 @@ NeighborGraph build_neighbor_graph(const OrderedPoints& points,
 {
   NeighborGraph graph;
   if (points.size() < 2) {
-    file_rows(nullptr, 0, points.size(), graph, parallel);
+    ReverseEdges(points.size()).file(graph, parallel);
     return graph;
   }
   graph.stride = std::min<std::size_t>(static_cast<std::size_t>(k), points.size() - 1);

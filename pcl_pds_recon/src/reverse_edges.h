@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <pcl_pds_recon/neighbor_graph.h>
+#include <pcl_pds_recon/parallel.h>
+#include "radix_sort.h"
+
+namespace pds
+{
+
+/** \brief What one end of an edge lists and the other does not. */
+struct ReverseEdge
+{
+  std::uint32_t listed;
+  std::uint32_t lister;
+};
+
+/** \brief Brings the edges that were found with the listing points to the listed ones.
+ *
+ * Points are cut into tiles of consecutive ranks. Each tile sorts the edges of its points by the tile that they lead
+ * to; then each tile collects what leads to it, and sorts that by point. Both fit into a processor's own cache.
+ */
+class ReverseEdges
+{
+ public:
+  explicit ReverseEdges(std::size_t point_count);
+
+  [[nodiscard]] std::size_t tile_size() const { return std::size_t{1} << tile_bits_; }
+  [[nodiscard]] std::size_t tile_count() const { return tiles_.size(); }
+
+  /** \brief Takes the edges of the listing points in one tile, ascending by these; different tiles at the same time.
+   */
+  void add(std::size_t tile, const ReverseEdge* edges, std::size_t count);
+
+  /** \brief Makes all edges rows of the graph.
+   * \throws InvalidInput if there are too many for the graph
+   */
+  void file(NeighborGraph& graph, const Parallel& parallel) const;
+
+ private:
+  struct Tile
+  {
+    RawArray<ReverseEdge> edge;
+    std::vector<std::uint32_t> begin;  ///< by tile that they lead to: its first edge; empty if there are no edges
+  };
+
+  template <typename Visit>
+  void visit_edges_to(std::size_t tile, const Visit& visit) const;
+  [[nodiscard]] std::vector<std::size_t> row_begin_of_tiles(const Parallel& parallel) const;
+  void file_tile(std::size_t tile, std::size_t row_begin, NeighborGraph& graph) const;
+
+  std::size_t point_count_;
+  int tile_bits_;
+  std::vector<Tile> tiles_;
+};
+
+}  // namespace pds
