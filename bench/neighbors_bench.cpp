@@ -140,7 +140,7 @@ SortedCloud cloud_of(int argc, char** argv)
 {
   constexpr std::size_t torus_points = 500000;
   if (argc < 2) {
-    const Positions points = torus(torus_points);
+    const std::vector<Eigen::Vector3f> points = torus(torus_points);
     PointCloudView view;
     view.size = points.size();
     view.positions = Vector3View(points.front().data(), sizeof(Eigen::Vector3f));

@@ -67,8 +67,7 @@ void find_own_neighbors(const OrderedPoints& points,
 class CompleteRows
 {
  public:
-  CompleteRows(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
-      : last_(make_raw_array<std::uint64_t>(points.size()))
+  CompleteRows(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel) : last_(points.size())
   {
     parallel.each(points.size(), block, [&](std::size_t i) {
       const std::uint32_t last = graph.own[(i + 1) * graph.stride - 1];
@@ -90,7 +89,7 @@ class CompleteRows
     return std::uint64_t{bits} << 32 | rank;
   }
 
-  RawArray<std::uint64_t> last_;
+  PointArray<std::uint64_t> last_;
 };
 
 /** \brief The same for rows of a caller's search, which may have overlooked some. */

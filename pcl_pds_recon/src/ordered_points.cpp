@@ -277,19 +277,19 @@ OrderedPoints order_points(const PointCloudView& cloud, const Parallel& parallel
   for (const Eigen::Vector3d& corner : {input_bounds.low, input_bounds.high})
     bounds.extend(framed.position(corner).cast<double>());
   const MortonCurve curve(bounds);
-  const auto keyed = make_raw_array<KeyedPoint>(points.valid_points);
-  const auto other = make_raw_array<KeyedPoint>(points.valid_points);
+  PointArray<KeyedPoint> keyed(points.valid_points);
+  PointArray<KeyedPoint> other(points.valid_points);
   const std::vector<std::size_t> finite_before =
       finite_points_before_blocks(cloud, points.valid_points == cloud.size, parallel);
   parallel.blocks(cloud.size, block, [&](std::size_t begin, std::size_t end, unsigned) {
-    KeyedPoint* next = keyed.get() + finite_before[begin / block];
+    KeyedPoint* next = keyed.data() + finite_before[begin / block];
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d p = cloud.positions[i];
       if (p.allFinite()) *next++ = {curve.key(framed.position(p).cast<double>()), static_cast<std::uint32_t>(i)};
     }
   });
   const KeyedPoint* sorted =
-      CurveSort(framed).sort(keyed.get(), other.get(), points.valid_points, 3 * axis_bits, parallel);
+      CurveSort(framed).sort(keyed.data(), other.data(), points.valid_points, 3 * axis_bits, parallel);
   assign_ranks(framed, sorted, points, parallel);
   return points;
 }

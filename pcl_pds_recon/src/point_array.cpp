@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/point_array.h>
 
-#include <cstdlib>
+#include <cstdint>
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
@@ -9,19 +9,45 @@
 namespace pds
 {
 
+#if defined(__linux__)
+namespace
+{
+
+constexpr std::size_t huge_page = std::size_t{1} << 21;  // bytes, on x86-64 and most ARM systems
+
+bool is_large(std::size_t bytes) { return bytes >= 2 * huge_page; }
+
+std::size_t whole_pages(std::size_t bytes) { return (bytes + huge_page - 1) / huge_page * huge_page; }
+
+}  // namespace
+
 void* allocate_large(std::size_t bytes)
 {
-  constexpr std::size_t huge_page = std::size_t{1} << 21;  // bytes, on x86-64 and most ARM systems
-  const bool large = bytes >= 2 * huge_page;
-  void* memory = large ? std::aligned_alloc(huge_page, (bytes + huge_page - 1) / huge_page * huge_page)
-                       : std::malloc(bytes > 0 ? bytes : 1);
-  if (memory == nullptr) throw std::bad_alloc();
-#if defined(MADV_HUGEPAGE)
-  if (large) madvise(memory, bytes, MADV_HUGEPAGE);  // advice: where it is refused, small pages do
-#endif
-  return memory;
+  if (!is_large(bytes)) return ::operator new(bytes);
+  if (bytes > SIZE_MAX - 2 * huge_page) throw std::bad_alloc();
+  // One page more than needed, so that there is a place to begin at the border of a page; what is over goes back.
+  const std::size_t size = whole_pages(bytes);
+  void* reserved = mmap(nullptr, size + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (reserved == MAP_FAILED) throw std::bad_alloc();
+  char* const begin = static_cast<char*>(reserved);
+  const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(begin) % huge_page) % huge_page;
+  if (before > 0) munmap(begin, before);
+  munmap(begin + before + size, huge_page - before);
+  madvise(begin + before, size, MADV_HUGEPAGE);  // advice: where it is refused, small pages do
+  return begin + before;
 }
 
-void free_large(void* memory) noexcept { std::free(memory); }
+void free_large(void* memory, std::size_t bytes) noexcept
+{
+  if (is_large(bytes))
+    munmap(memory, whole_pages(bytes));
+  else
+    ::operator delete(memory);
+}
+#else
+void* allocate_large(std::size_t bytes) { return ::operator new(bytes); }
+
+void free_large(void* memory, std::size_t) noexcept { ::operator delete(memory); }
+#endif
 
 }  // namespace pds

@@ -13,7 +13,8 @@ namespace pds
 /** \brief Memory for large arrays, in huge pages where the system has them: a page fault per 4 KiB would cost a tenth
  * of a run. */
 [[nodiscard]] void* allocate_large(std::size_t bytes);
-void free_large(void* memory) noexcept;
+/** \param bytes as many as were asked for */
+void free_large(void* memory, std::size_t bytes) noexcept;
 
 /** \brief Gives an array of values of the points memory from allocate_large(), and does not clear what has no default
  * value: each thread writes its part first. */
@@ -33,7 +34,7 @@ struct PointAllocator
     if (n > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
     return static_cast<T*>(allocate_large(n * sizeof(T)));
   }
-  void deallocate(T* memory, std::size_t) noexcept { free_large(memory); }
+  void deallocate(T* memory, std::size_t n) noexcept { free_large(memory, n * sizeof(T)); }
 
   template <typename U>
   void construct(U* place)
