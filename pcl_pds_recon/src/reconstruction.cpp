@@ -177,24 +177,26 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
 
   // Step 1: neighbours, sampling interval, radius.
   clock.start("neighbors", 0.0, report.seconds.neighbors);
-  const Neighborhoods found = find_neighborhoods(cloud, options, parallel);
+  Neighborhoods found = find_neighborhoods(cloud, options, parallel);
   const OrderedPoints& points = found.points;
-  const NeighborGraph& graph = found.graph;
+  NeighborGraph& graph = found.graph;
   clock.start("weights", 0.4, report.seconds.weights);
   const SurfaceEstimate surface = estimate_surface(points, graph, parallel);
   const Metric metric = choose_metric(found, surface, options, parallel, report);
 
   // Steps 2 to 5: seeds and their disks.
   clock.start("sampling", 0.5, report.seconds.sampling);
+  const std::vector<std::uint8_t> features = feature_ranks(surface, graph, parallel);
   PoissonDiskSampling sampling;
   if (metric.radius > 0)
-    sampling = sample_poisson_disks(points, graph, surface, metric.weights, feature_ranks(surface, graph, parallel),
-                                    metric.radius, options.geodesic_solver, options.seed, parallel);
+    sampling = sample_poisson_disks(points, graph, surface, metric.weights, features, metric.radius,
+                                    options.geodesic_solver, options.seed, parallel);
 
   // Steps 6 and 7: Voronoi diagram and adjacent seeds.
   clock.start("voronoi", 0.7, report.seconds.voronoi);
   const GeodesicVoronoi voronoi =
       build_geodesic_voronoi(points, graph, metric.weights, sampling, options.voronoi_threshold, parallel);
+  graph = NeighborGraph();  // half of the memory, and of no more use
   clock.start("seed_graph", 0.8, report.seconds.seed_graph);
   const SeedGeometry seeds = describe_seeds(cloud, points, surface, sampling, voronoi, parallel);
   const SeedGraph seed_graph = build_seed_graph(seeds, voronoi.pairs, parallel);
