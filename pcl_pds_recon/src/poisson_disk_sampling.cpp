@@ -89,7 +89,7 @@ class BlockGrid
   static std::uint64_t next_to(std::uint64_t cell, const std::array<int, 3>& step)
   {
     std::uint64_t next = 0;
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
       next = next << axis_bits | ((coordinate(cell, axis) + static_cast<std::uint64_t>(step[axis])) & axis_mask);
     return number_of(next);
   }
@@ -97,7 +97,7 @@ class BlockGrid
   /** \brief True if a block of the cell that lies a step away touches the cell it was made from. */
   static bool touches(std::uint64_t block, const std::array<int, 3>& step)
   {
-    for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool upper = (block >> (2 - axis) & 1) != 0;
       if ((step[axis] < 0 && !upper) || (step[axis] > 0 && upper)) return false;
     }
@@ -109,13 +109,16 @@ class BlockGrid
   static constexpr int axis_bits = 19;
   static constexpr std::uint64_t axis_mask = (std::uint64_t{1} << axis_bits) - 1;
 
-  static std::uint64_t coordinate(std::uint64_t cell, int axis) { return cell >> ((2 - axis) * axis_bits) & axis_mask; }
+  static std::uint64_t coordinate(std::uint64_t cell, std::size_t axis)
+  {
+    return cell >> ((2 - axis) * axis_bits) & axis_mask;
+  }
 
   /** \brief The colour, from the parity of the coordinates, put in front of them. */
   static std::uint64_t number_of(std::uint64_t coordinates)
   {
     std::uint64_t color = 0;
-    for (int axis = 0; axis < 3; ++axis) color = color << 1 | (coordinate(coordinates, axis) & 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) color = color << 1 | (coordinate(coordinates, axis) & 1);
     return color << (3 * axis_bits) | coordinates;
   }
 

@@ -40,8 +40,7 @@ class VoxelGrid
   {
     std::uint64_t voxel = 0;
     for (int axis = 0; axis < 3; ++axis)
-      voxel = voxel << axis_bits_ |
-              static_cast<std::uint64_t>((static_cast<double>(p[axis]) + 0.5) * voxels_per_unit_ + 0.5);
+      voxel = voxel << axis_bits_ | static_cast<std::uint64_t>((static_cast<double>(p[axis]) + 0.5) * voxels_per_unit_);
     return voxel;
   }
 
