@@ -61,8 +61,8 @@ inline TriangleMesh make_lattice_cloud(double z, std::uint32_t cells)
   return cloud;
 }
 
-/** \brief Adds all of \a part to \a mesh. */
-inline void append(TriangleMesh& mesh, const TriangleMesh& part)
+/** \brief Adds all of \a part, which may be a copy of it, to \a mesh. */
+inline void append(TriangleMesh& mesh, TriangleMesh part)
 {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
