@@ -81,7 +81,7 @@ void run(const ViewerOptions& options)
   View view(std::move(data));
   show_layers(view, options);
   if (!options.screenshot.empty()) {
-    draw_picture(view, options.width, options.height, options.screenshot);
+    draw_picture(view.renderer(), options.width, options.height, options.screenshot);
   }
   if (options.frames > 0) {
     std::cout << fmt::format("{:.1f} frames per second\n", measure_frames(view, options));

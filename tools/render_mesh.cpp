@@ -3,7 +3,6 @@
 // eye.
 #include <algorithm>
 #include <boost/program_options.hpp>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -11,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "render/picture.h"
+
 #include <vtkActor.h>
 #include <vtkAutoInit.h>
-#include <vtkCamera.h>
-#include <vtkErrorCode.h>
 #include <vtkFeatureEdges.h>
 #include <vtkLightKit.h>
 #include <vtkLogger.h>
@@ -22,18 +21,13 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkPLYReader.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
-#include <vtkRenderStepsPass.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRenderingOpenGLConfigure.h>  // VTK_USE_X
-#include <vtkSSAAPass.h>
 #include <vtkSmartPointer.h>
-#include <vtkWindowToImageFilter.h>
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
@@ -48,13 +42,10 @@ struct PictureSettings
 {
   std::string input;
   std::string output;
-  int width = 1600;        ///< pixels
-  int height = 1200;       ///< pixels
-  double azimuth = 0.0;    ///< degrees around the up axis
-  double elevation = 0.0;  ///< degrees above the horizon
-  double zoom = 1.4;       ///< 1 = the sphere around the mesh fits the picture
-  char up = 'y';           ///< axis of the mesh that points up
-  bool edges = false;      ///< draw the edges of all triangles
+  int width = 1600;   ///< pixels
+  int height = 1200;  ///< pixels
+  CameraPlace camera;
+  bool edges = false;  ///< draw the edges of all triangles
 };
 
 /** \brief Turns the first complaint of VTK into an exception: after it VTK would go on with half a mesh or abort. */
@@ -143,42 +134,6 @@ vtkSmartPointer<vtkActor> boundary_actor(vtkPolyData* mesh)
   return actor;
 }
 
-void aim_camera(vtkRenderer* renderer, const PictureSettings& settings)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(0, 0, 0);
-  if (settings.up == 'z') {
-    camera->SetPosition(0, -1, 0);
-    camera->SetViewUp(0, 0, 1);
-  } else {
-    camera->SetPosition(0, 0, 1);
-    camera->SetViewUp(0, 1, 0);
-  }
-  camera->Azimuth(settings.azimuth);
-  camera->Elevation(settings.elevation);
-  renderer->ResetCamera();
-  camera->Zoom(settings.zoom);
-  renderer->ResetCameraClippingRange();
-}
-
-/** \brief Writes the picture, under another name until it is complete. */
-void save_png(vtkRenderWindow* window, const std::string& path)
-{
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
-  const std::string unfinished = path + ".part";
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(unfinished.c_str());
-  writer->GlobalWarningDisplayOff();  // reported below
-  writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError || std::rename(unfinished.c_str(), path.c_str()) != 0) {
-    std::remove(unfinished.c_str());
-    throw std::runtime_error(path + ": cannot be written; is the directory there, writable and not full?");
-  }
-}
-
 void draw(const PictureSettings& settings)
 {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
@@ -201,18 +156,8 @@ void draw(const PictureSettings& settings)
   lights->SetKeyToFillRatio(1.7);
   lights->AddLightsToRenderer(renderer);
 
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkSSAAPass> antialiasing;
-  antialiasing->SetDelegatePass(steps);
-  renderer->SetPass(antialiasing);
-
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetSize(settings.width, settings.height);
-  window->AddRenderer(renderer);
-  aim_camera(renderer, settings);
-  window->Render();
-  save_png(window, settings.output);
+  aim_camera(renderer, settings.camera);
+  draw_picture(renderer, settings.width, settings.height, settings.output);
 }
 
 void check(const PictureSettings& settings)
@@ -220,10 +165,10 @@ void check(const PictureSettings& settings)
   if (settings.width < 16 || settings.width > 8192 || settings.height < 16 || settings.height > 8192) {
     throw po::error("--width and --height must be 16 to 8192 pixels");
   }
-  if (settings.up != 'y' && settings.up != 'z') {
+  if (settings.camera.up != 'y' && settings.camera.up != 'z') {
     throw po::error("--up must be y or z");
   }
-  if (!(settings.zoom > 0.0)) {
+  if (!(settings.camera.zoom > 0.0)) {
     throw po::error("--zoom must be positive");
   }
 }
@@ -235,10 +180,12 @@ void run(int argc, char** argv)
   auto add = options.add_options();
   add("width", po::value(&s.width)->default_value(s.width), "of the picture, pixels");
   add("height", po::value(&s.height)->default_value(s.height), "of the picture, pixels");
-  add("azimuth", po::value(&s.azimuth)->default_value(s.azimuth), "camera: degrees around the up axis");
-  add("elevation", po::value(&s.elevation)->default_value(s.elevation), "camera: degrees above the horizon");
-  add("zoom", po::value(&s.zoom)->default_value(s.zoom, "1.4"), "camera: 1 fits the sphere around the mesh");
-  add("up", po::value(&s.up)->default_value(s.up), "axis of the mesh that points up: y or z");
+  add("azimuth", po::value(&s.camera.azimuth)->default_value(s.camera.azimuth), "camera: degrees around the up axis");
+  add("elevation", po::value(&s.camera.elevation)->default_value(s.camera.elevation),
+      "camera: degrees above the horizon");
+  add("zoom", po::value(&s.camera.zoom)->default_value(s.camera.zoom, "1.4"),
+      "camera: 1 fits the sphere around the mesh");
+  add("up", po::value(&s.camera.up)->default_value(s.camera.up), "axis of the mesh that points up: y or z");
   add("edges", po::bool_switch(&s.edges), "draw the edges of all triangles");
   add("help,h", "print this help");
   po::options_description all;

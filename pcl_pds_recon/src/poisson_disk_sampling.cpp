@@ -284,33 +284,6 @@ void number_seeds(PoissonDiskSampling& sampling, const Parallel& parallel)
   });
 }
 
-/** \brief Colours in turn, the cells of one in parallel. Its working memory is gone before the seeds are numbered. */
-void throw_all_darts(const OrderedPoints& points,
-                     const NeighborGraph& graph,
-                     const SurfaceEstimate& surface,
-                     const EdgeWeights& weights,
-                     const std::vector<std::uint8_t>& feature_rank,
-                     GeodesicSolver solver,
-                     std::uint64_t seed,
-                     PoissonDiskSampling& sampling,
-                     const Parallel& parallel)
-{
-  constexpr double rounding_margin = 1.001;  // distances and block borders are rounded to single precision
-  const Schedule schedule(points, BlockGrid(disk_reach * sampling.radius * rounding_margin), parallel);
-  PatchMarks marks(points.size());
-
-  constexpr std::size_t cells_per_block = 4;
-  for (std::size_t color = 0; color < color_count; ++color) {
-    const std::size_t first = schedule.first_cell(color);
-    parallel.blocks(schedule.last_cell(color) - first, cells_per_block,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                      GeodesicDisk disk(points, graph, surface, weights, solver, marks);
-                      DartThrower thrower(points, feature_rank, seed, schedule, disk, sampling);
-                      for (std::size_t cell = first + begin; cell < first + end; ++cell) thrower.throw_darts(cell);
-                    });
-  }
-}
-
 }  // namespace
 
 PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
@@ -326,7 +299,22 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
   PoissonDiskSampling sampling;
   sampling.radius = radius;
   sampling.nearest.resize(points.size());
-  throw_all_darts(points, graph, surface, weights, feature_rank, solver, seed, sampling, parallel);
+  {
+    // The working memory of the darts is gone before the seeds are numbered.
+    constexpr double rounding_margin = 1.001;  // distances and block borders are rounded to single precision
+    const Schedule schedule(points, BlockGrid(disk_reach * radius * rounding_margin), parallel);
+    PatchMarks marks(points.size());
+    constexpr std::size_t cells_per_block = 4;
+    for (std::size_t color = 0; color < color_count; ++color) {
+      const std::size_t first = schedule.first_cell(color);
+      parallel.blocks(schedule.last_cell(color) - first, cells_per_block,
+                      [&](std::size_t begin, std::size_t end, unsigned) {
+                        GeodesicDisk disk(points, graph, surface, weights, solver, marks);
+                        DartThrower thrower(points, feature_rank, seed, schedule, disk, sampling);
+                        for (std::size_t cell = first + begin; cell < first + end; ++cell) thrower.throw_darts(cell);
+                      });
+    }
+  }
   number_seeds(sampling, parallel);
   return sampling;
 }

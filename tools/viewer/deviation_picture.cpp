@@ -19,7 +19,7 @@ void draw_deviation(const std::string& path, const TriangleMesh& mesh, const Dev
   View view(std::move(data));
   view.show(Layer::deviation, true);
   view.aim({});
-  draw_picture(view, width, height, path);
+  draw_picture(view.renderer(), width, height, path);
 }
 
 }  // namespace pds

@@ -3,20 +3,13 @@
 
 #include "viewer/deviation_colors.h"
 
-#include <cstdio>
-#include <stdexcept>
 #include <utility>
 
 #include <vtkAutoInit.h>
 #include <vtkCamera.h>
-#include <vtkErrorCode.h>
 #include <vtkLightKit.h>
-#include <vtkPNGWriter.h>
 #include <vtkProperty.h>
-#include <vtkRenderStepsPass.h>
-#include <vtkSSAAPass.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 VTK_MODULE_INIT(vtkRenderingFreeType)
@@ -162,55 +155,6 @@ void View::coarsen(bool coarse)
       put(layer);
     }
   }
-}
-
-void View::aim(const CameraPlace& place)
-{
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  camera->SetFocalPoint(0, 0, 0);
-  if (place.up == 'z') {
-    camera->SetPosition(0, -1, 0);
-    camera->SetViewUp(0, 0, 1);
-  } else {
-    camera->SetPosition(0, 0, 1);
-    camera->SetViewUp(0, 1, 0);
-  }
-  camera->Azimuth(place.azimuth);
-  camera->Elevation(place.elevation);
-  renderer_->ResetCamera();
-  camera->Zoom(place.zoom);
-  renderer_->ResetCameraClippingRange();
-}
-
-void save_picture(vtkRenderWindow* window, const std::string& path)
-{
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
-  const std::string unfinished = path + ".part";
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(unfinished.c_str());
-  writer->GlobalWarningDisplayOff();  // reported below
-  writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError || std::rename(unfinished.c_str(), path.c_str()) != 0) {
-    std::remove(unfinished.c_str());
-    throw std::runtime_error(path + ": cannot be written; is the directory there, writable and not full?");
-  }
-}
-
-void draw_picture(View& view, int width, int height, const std::string& path)
-{
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkSSAAPass> antialiasing;
-  antialiasing->SetDelegatePass(steps);
-  view.renderer()->SetPass(antialiasing);
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetSize(width, height);
-  window->AddRenderer(view.renderer());
-  window->Render();
-  save_picture(window, path);
 }
 
 }  // namespace pds

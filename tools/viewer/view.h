@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "render/picture.h"
 #include "viewer/actors.h"
 
 #include <map>
@@ -10,21 +11,11 @@
 #include <vector>
 
 #include <vtkNew.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 
 namespace pds
 {
-
-/** \brief Where the camera stands. */
-struct CameraPlace
-{
-  double azimuth = 0;    ///< degrees around the up axis
-  double elevation = 0;  ///< degrees above the horizon
-  double zoom = 1.4;     ///< 1: the sphere around everything fits the picture
-  char up = 'y';         ///< axis that points up: y or z
-};
 
 /** \brief A scene of layers that are switched on and off. */
 class View
@@ -47,7 +38,7 @@ class View
   /** \brief Fewer points and triangles while the view moves. */
   void coarsen(bool coarse);
 
-  void aim(const CameraPlace& place);
+  void aim(const CameraPlace& place) { aim_camera(renderer_, place); }
 
   [[nodiscard]] vtkRenderer* renderer() { return renderer_; }
   [[nodiscard]] const ViewData& data() const { return data_; }
@@ -69,12 +60,5 @@ class View
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkScalarBarActor> bar_;
 };
-
-/** \brief Writes what the window shows as PNG, under its name only when it is complete.
- * \throws std::runtime_error if it cannot be written */
-void save_picture(vtkRenderWindow* window, const std::string& path);
-
-/** \brief Draws the view into a PNG of this size without showing a window; there must be an X display. */
-void draw_picture(View& view, int width, int height, const std::string& path);
 
 }  // namespace pds

@@ -5,6 +5,7 @@
 #include "viewer/rerun.h"
 
 #include <vtkCamera.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkTextActor.h>
 

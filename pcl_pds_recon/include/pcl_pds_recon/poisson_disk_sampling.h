@@ -75,7 +75,6 @@ constexpr double disk_reach = 1.25;
  * coloured with 2 x 2 x 2 colours: disks of different cells of one colour cannot meet, because no distance is below the
  * Euclidean one. Colours are worked through in turn, the cells of one in parallel, the points of a cell in an order
  * of descending feature rank, drawn among equals by hashing their coordinates: the result depends on nothing else.
- * About 2 settled points per point within the radius, 3.2 within the reach.
  *
  * \param feature_rank per point, 0 ... 15: points of higher rank are tried first
  * \param radius in units of position
