@@ -3,6 +3,7 @@
 #include <pcl_pds_recon/mesh_cleaning.h>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -131,6 +132,64 @@ class PolygonTriangulation
   std::vector<double> cost_;  ///< of the sub-polygon i ... j, at i * n + j
   std::vector<std::size_t> apex_;
 };
+
+/** \brief The triangulation of a polygon; empty if there is none. */
+std::vector<Triangle> triangulate(const TriangleComplex& complex,
+                                  const BorderingCells* bordering,
+                                  const Polygon& polygon,
+                                  const FillLimits& limits)
+{
+  const PolygonTriangulation triangulation(complex, bordering, polygon, limits);
+  return triangulation.exists() ? triangulation.triangles() : std::vector<Triangle>{};
+}
+
+/** \brief The two polygons on either side of the chord between the corners i and j, i < j. */
+std::array<Polygon, 2> divide(const Polygon& polygon, std::size_t i, std::size_t j)
+{
+  const auto at = [&](std::size_t corner) { return polygon.begin() + static_cast<std::ptrdiff_t>(corner); };
+  Polygon inner(at(i), at(j + 1));
+  Polygon outer(at(j), polygon.end());
+  outer.insert(outer.end(), polygon.begin(), at(i + 1));
+  return {inner, outer};
+}
+
+/** \brief Fills a polygon beyond the perimeter limit in two parts that are within it, if there is surface between
+ * them: the chord that divides it joins bordering cells. The most even division that works. */
+std::vector<Triangle> fill_in_parts(const TriangleComplex& complex,
+                                    const BorderingCells& bordering,
+                                    const Polygon& polygon,
+                                    const FillLimits& limits)
+{
+  std::vector<std::tuple<double, std::size_t, std::size_t>> chords;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    for (std::size_t j = i + 2; j < polygon.size(); ++j) {
+      if (!bordering(polygon[i], polygon[j]) || complex.has_edge(polygon[i], polygon[j])) continue;
+      const auto parts = divide(polygon, i, j);
+      const double longer = std::max(perimeter(complex, parts[0]), perimeter(complex, parts[1]));
+      if (longer <= limits.perimeter) chords.emplace_back(longer, i, j);
+    }
+  std::sort(chords.begin(), chords.end());
+  for (const auto& [longer, i, j] : chords) {
+    const auto parts = divide(polygon, i, j);
+    std::vector<Triangle> filling = triangulate(complex, nullptr, parts[0], limits);
+    const std::vector<Triangle> rest = triangulate(complex, nullptr, parts[1], limits);
+    if (filling.empty() || rest.empty()) continue;
+    filling.insert(filling.end(), rest.begin(), rest.end());
+    return filling;
+  }
+  return {};
+}
+
+/** \brief The triangles that fill_polygon() adds; empty if there are none. */
+std::vector<Triangle> find_filling(const TriangleComplex& complex,
+                                   const BorderingCells& bordering,
+                                   const Polygon& polygon,
+                                   const FillLimits& limits)
+{
+  if (perimeter(complex, polygon) <= limits.perimeter) return triangulate(complex, nullptr, polygon, limits);
+  std::vector<Triangle> proven = triangulate(complex, &bordering, polygon, limits);
+  return proven.empty() ? fill_in_parts(complex, bordering, polygon, limits) : proven;
+}
 
 std::size_t fill_loops(TriangleComplex& complex, const BorderingCells& bordering, const FillLimits& limits)
 {
@@ -262,11 +321,10 @@ bool fill_polygon(TriangleComplex& complex,
                   const FillLimits& limits)
 {
   if (polygon.size() < 3 || polygon.size() > most_corners) return false;
-  const bool may_be_gap = perimeter(complex, polygon) > limits.perimeter;
-  const PolygonTriangulation triangulation(complex, may_be_gap ? &bordering : nullptr, polygon, limits);
-  if (!triangulation.exists()) return false;
+  const std::vector<Triangle> filling = find_filling(complex, bordering, polygon, limits);
+  if (filling.empty()) return false;
   complex.begin_trial();
-  for (const Triangle& t : triangulation.triangles())
+  for (const Triangle& t : filling)
     if (complex.add(t, limits.smallest_angle) != TriangleComplex::Verdict::legal) {
       complex.undo_trial();
       return false;

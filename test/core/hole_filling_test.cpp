@@ -111,11 +111,13 @@ TEST(HoleFilling, FillsAnyHoleAcrossWhichCellsBorder)
 {
   const Annulus annulus(6);
   FillLimits limits;
-  limits.perimeter = 5.99;
-  // Chords of the hole 0 ... 5: the first set triangulates it, the second leaves a quadrilateral.
+  limits.perimeter = 5.5;
+  // Chords of the hole 0 ... 5: the first set triangulates it, the second halves it into parts of perimeter 5, the
+  // third leaves a quadrilateral, and its chords a part of perimeter 5.7.
   const std::vector<pds::SeedPair> all{{0, 2, 1, 2}, {0, 3, 1, 2}, {0, 4, 1, 2}};
+  const std::vector<pds::SeedPair> halving{{0, 3, 1, 2}};
   const std::vector<pds::SeedPair> too_few{{0, 2, 1, 2}, {0, 4, 1, 2}};
-  for (const auto& [pairs, loops] : {std::pair(all, 1U), std::pair(too_few, 2U)}) {
+  for (const auto& [pairs, loops] : {std::pair(all, 1U), std::pair(halving, 1U), std::pair(too_few, 2U)}) {
     TriangleComplex complex(annulus.seeds.position);
     annulus.fill(complex);
     pds::fill_holes(complex, annulus.seeds, pds::BorderingCells(pairs), {}, limits);

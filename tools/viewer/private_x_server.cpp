@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/private_x_server.h"
 
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,6 +21,9 @@ namespace
 [[noreturn]] void become_x_server(int pipe_end)
 {
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // does not outlive a parent that is killed
+  // It reports each display number that another server has taken already, which is no one's business.
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
   const std::string number = std::to_string(pipe_end);
   execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
          static_cast<char*>(nullptr));

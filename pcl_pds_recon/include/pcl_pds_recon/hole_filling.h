@@ -37,8 +37,9 @@ class BorderingCells
 /** \brief Triangulates one polygon by the constrained Delaunay rule: of all triangulations whose chords are new and
  * that fold nowhere, the one with the least sum of squared circumradii. O(n^3) for n corners.
  *
- * A polygon beyond the perimeter limit may be a gap in the data. It is filled only by triangles of the Voronoi dual:
- * every chord must join bordering cells, which proves that there are points all along.
+ * A polygon beyond the perimeter limit may be a gap in the data. It is filled only where there are points: by
+ * triangles of the Voronoi dual, every chord of which joins bordering cells, or else in two parts that are within the
+ * limit, on either side of such a chord.
  * \return false if there is no such triangulation; the complex is then as before
  */
 bool fill_polygon(TriangleComplex& complex,
