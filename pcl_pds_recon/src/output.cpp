@@ -119,4 +119,28 @@ void describe_points(const PointCloudView& cloud,
     append(result.witness_points, part);
 }
 
+void describe_seed_graph(const SeedGraph& graph,
+                         const std::vector<std::uint32_t>& number_of_seed,
+                         Reconstruction& result,
+                         const Parallel& parallel)
+{
+  using Edges = std::vector<std::array<std::uint32_t, 2>>;
+  constexpr std::size_t block = 4096;
+  std::vector<std::uint32_t> seed_of_number(number_of_seed.size());
+  for (std::uint32_t s = 0; s < number_of_seed.size(); ++s) seed_of_number[number_of_seed[s]] = s;
+  const auto describe = [&](std::uint32_t a, Edges& edges) {
+    const std::uint32_t seed = seed_of_number[a];
+    const auto first = static_cast<std::ptrdiff_t>(edges.size());
+    for (std::size_t i = graph.begin[seed]; i < graph.begin[seed + 1]; ++i)
+      if (const std::uint32_t b = number_of_seed[graph.neighbor[i]]; a < b) edges.push_back({a, b});
+    std::sort(edges.begin() + first, edges.end());
+  };
+  for (const Edges& part : parallel_parts<Edges>(seed_of_number.size(), block, parallel,
+                                                 [&](std::size_t begin, std::size_t end, Edges&edges) {
+                                                   for (std::size_t a = begin; a < end; ++a)
+                                                     describe(static_cast<std::uint32_t>(a), edges);
+                                                 }))
+    append(result.seed_edges, part);
+}
+
 }  // namespace pds

@@ -6,6 +6,7 @@
 #include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/reconstruction.h>
+#include <pcl_pds_recon/seed_graph.h>
 #include <pcl_pds_recon/triangle_complex.h>
 #include <cstdint>
 #include <vector>
@@ -29,5 +30,11 @@ void describe_points(const PointCloudView& cloud,
                      const std::vector<std::uint32_t>& number_of_seed,
                      Reconstruction& result,
                      const Parallel& parallel);
+
+/** \brief Fills in the edges of the seed graph. */
+void describe_seed_graph(const SeedGraph& graph,
+                         const std::vector<std::uint32_t>& number_of_seed,
+                         Reconstruction& result,
+                         const Parallel& parallel);
 
 }  // namespace pds

@@ -215,6 +215,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   const std::vector<std::uint32_t> number_of_seed =
       number_vertices(orient_faces(complex, cues_for(cloud, points, sampling)), points, sampling, result, parallel);
   describe_points(cloud, points, sampling, voronoi, number_of_seed, result, parallel);
+  describe_seed_graph(seed_graph, number_of_seed, result, parallel);
   report.orientable = one_sided.empty();
   report_certificate(certify(result.triangles, result.seeds.size(), parallel), result);
   report_sampling(sampling, report, parallel);

@@ -48,6 +48,7 @@ TEST_P(Invariance, ThreadsDoNotChangeAnything)
     EXPECT_EQ(other.triangles, one.triangles);
     EXPECT_EQ(other.voronoi.label, one.voronoi.label);
     EXPECT_EQ(other.witness_points, one.witness_points);
+    EXPECT_EQ(other.seed_edges, one.seed_edges);
     EXPECT_EQ(other.boundary_loops, one.boundary_loops);
     EXPECT_EQ(other.report.radius, one.report.radius);
   }
@@ -67,6 +68,7 @@ TEST_P(Invariance, InputOrderDoesNotChangeTheMesh)
     const pds::Reconstruction other = reconstruct(shuffled, options_of(GetParam(), 2));
     EXPECT_EQ(vertex_positions(other, shuffled), vertices);
     EXPECT_EQ(other.triangles, reference.triangles);
+    EXPECT_EQ(other.seed_edges, reference.seed_edges);
     EXPECT_EQ(other.boundary_loops, reference.boundary_loops);
     for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(other.voronoi.label[i], reference.voronoi.label[order[i]]);
   }

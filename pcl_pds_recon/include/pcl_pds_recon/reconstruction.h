@@ -30,9 +30,12 @@ struct Reconstruction
   /** \brief Input index of each seed. The first report.vertices seeds are the mesh's vertices in its order; seeds that
    * ended without a face follow. Their order does not depend on the order of the input. */
   std::vector<std::uint32_t> seeds;
-  std::vector<std::array<std::uint32_t, 3>> triangles;     ///< vertices of each face, counter-clockwise from outside
-  VoronoiDiagram voronoi;                                  ///< cell and distance of every input point
-  std::vector<std::uint32_t> witness_points;               ///< input indices of points near Voronoi edges, ascending
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertices of each face, counter-clockwise from outside
+  VoronoiDiagram voronoi;                               ///< cell and distance of every input point
+  std::vector<std::uint32_t> witness_points;            ///< input indices of points near Voronoi edges, ascending
+  /** \brief Seed graph: pairs of seeds whose Voronoi cells border each other, as far as they do not cross; numbers into
+   * seeds, the lower one first, ascending. */
+  std::vector<std::array<std::uint32_t, 2>> seed_edges;
   std::vector<std::vector<std::uint32_t>> boundary_loops;  ///< vertices of each rim, in the direction of its faces
   Report report;                                           ///< counts, certificate, seconds
 };
