@@ -33,6 +33,9 @@ if(TARGET pcl_pds_recon_tool)
     endif()
   endforeach()
 endif()
+if(TARGET man)
+  install(FILES ${manual_pages} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tools)
+endif()
 
 install(
   DIRECTORY "${PROJECT_SOURCE_DIR}/pcl_pds_recon/include/" "${PROJECT_BINARY_DIR}/pcl_pds_recon/include/"

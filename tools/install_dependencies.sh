@@ -7,7 +7,8 @@ set -eu
 build="cmake ninja-build g++ libpcl-dev libeigen3-dev"
 tools="libboost-program-options-dev libembree-dev liblzf-dev libspdlog-dev nlohmann-json3-dev libvtk9-dev"
 tests="dpkg-dev pkg-config libgtest-dev libbenchmark-dev libnanoflann-dev"
-checks="clang-format clang-tidy help2man git ca-certificates"
+documentation="doxygen help2man man-db python3"
+checks="clang-format clang-tidy git ca-certificates"
 # VTK draws through an X server; xvfb-run needs xauth, and a machine without a GPU needs Mesa's software renderer.
 demo="xvfb xauth libgl1-mesa-dri jq"
 
@@ -21,7 +22,7 @@ command -v apt-get >/dev/null ||
   fail "apt-get not found; this script knows Debian 12 only. Install by hand what README.md lists."
 
 missing=""
-for package in $build $tools $tests $checks $demo; do
+for package in $build $tools $tests $documentation $checks $demo; do
   status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing="$missing $package"
 done

@@ -14,9 +14,9 @@ namespace pds
 /** \brief Topology of a triangle mesh, counted from its faces alone, whoever made them. */
 struct Certificate
 {
-  std::size_t vertices = 0;  ///< that have a face
-  std::size_t faces = 0;
-  std::size_t edges = 0;
+  std::size_t vertices = 0;                                ///< that have a face
+  std::size_t faces = 0;                                   ///< triangles
+  std::size_t edges = 0;                                   ///< of at least one face
   std::size_t components = 0;                              ///< connected by edges
   std::size_t nonmanifold_edges = 0;                       ///< more than two faces
   std::size_t nonmanifold_vertices = 0;                    ///< faces that are not a single fan

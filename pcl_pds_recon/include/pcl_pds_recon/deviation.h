@@ -25,12 +25,12 @@ struct DeviationOptions
 /** \brief Figures of a set of distances (in input units) or angles (in degrees). */
 struct Distribution
 {
-  double mean = 0;
+  double mean = 0;    ///< arithmetic mean
   double rms = 0;     ///< square root of the mean square
   double median = 0;  ///< as all percentiles: the least value that so many do not exceed
-  double p95 = 0;
-  double p99 = 0;
-  double max = 0;
+  double p95 = 0;     ///< 95th percentile
+  double p99 = 0;     ///< 99th percentile
+  double max = 0;     ///< the greatest
 };
 
 /** \brief Deviation of a mesh from a reference: the paper's "3D compare". */

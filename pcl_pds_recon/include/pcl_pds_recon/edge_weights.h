@@ -33,7 +33,9 @@ class EdgeWeights
   {
   }
 
+  /** \brief True if all weights are 1. */
   [[nodiscard]] bool uniform() const { return weight_.empty(); }
+  /** \brief Weight of point \a i. */
   [[nodiscard]] float at(std::size_t i) const { return weight_.empty() ? 1.0F : weight_[i]; }
   /** \brief The least weight of all: times the Euclidean distance, a lower bound of every distance. */
   [[nodiscard]] float least() const { return least_; }

@@ -21,7 +21,8 @@ using PatchMarks = std::vector<std::atomic<std::uint32_t>>;
 /** \brief Ranks begin ... end - 1. */
 struct RankRange
 {
-  std::uint32_t begin, end;
+  std::uint32_t begin;  ///< the first
+  std::uint32_t end;    ///< behind the last
 };
 
 struct SurfaceColumns;
@@ -45,8 +46,8 @@ class GeodesicDisk
   /** \brief A point reached, and its distance in units of position. */
   struct Reached
   {
-    std::uint32_t point;
-    float distance;
+    std::uint32_t point;  ///< its rank
+    float distance;       ///< from the source, in the run's metric
   };
 
   /** \param marks as many as there are points */

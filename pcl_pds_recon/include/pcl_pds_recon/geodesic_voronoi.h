@@ -17,7 +17,8 @@ constexpr double longest_dual_edge = 3.9;
 /** \brief Evidence that the Voronoi cells of two seeds share a border. */
 struct SeedPair
 {
-  std::uint32_t a, b;       ///< a < b
+  std::uint32_t a;          ///< one seed
+  std::uint32_t b;          ///< the other; a < b
   std::uint32_t witnesses;  ///< witness points on the border (the paper's criterion)
   float path;               ///< shortest way from seed to seed across the border; units of position, run's metric
 };
@@ -25,8 +26,10 @@ struct SeedPair
 /** \brief Evidence that the Voronoi cells of three seeds meet. */
 struct SeedTriple
 {
-  std::uint32_t a, b, c;  ///< a < b < c
-  std::uint32_t votes;    ///< points that see all three cells next to each other
+  std::uint32_t a;      ///< one seed
+  std::uint32_t b;      ///< another; a < b
+  std::uint32_t c;      ///< the third; b < c
+  std::uint32_t votes;  ///< points that see all three cells next to each other
 };
 
 /** \brief Geodesic Voronoi diagram of the seeds, discrete: every point belongs to its nearest seed's cell. */

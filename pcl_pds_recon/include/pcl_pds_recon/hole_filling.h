@@ -24,6 +24,7 @@ class BorderingCells
  public:
   /** \param pairs ascending by (a, b); must outlive this object */
   explicit BorderingCells(const std::vector<SeedPair>& pairs) : pairs_(pairs) {}
+  /** \brief True if the cells of \a s and \a t share one. O(log pairs). */
   [[nodiscard]] bool operator()(std::uint32_t s, std::uint32_t t) const;
 
  private:

@@ -15,9 +15,9 @@ namespace pds
  */
 struct MeshInspection
 {
-  std::size_t vertices = 0;  ///< that have a face
-  std::size_t faces = 0;
-  std::size_t edges = 0;
+  std::size_t vertices = 0;              ///< that have a face
+  std::size_t faces = 0;                 ///< triangles
+  std::size_t edges = 0;                 ///< of at least one face
   std::size_t components = 0;            ///< connected by edges
   std::size_t boundary_edges = 0;        ///< of one face
   std::size_t boundary_loops = 0;        ///< of boundary edges
@@ -30,9 +30,9 @@ struct MeshInspection
   /** Sum over the components, their boundary loops closed by disks and fans that meet in a vertex pulled apart. Only if
    * the mesh is orientable and has no non-manifold edge. */
   std::optional<long long> genus;
-  std::size_t duplicate_faces = 0;   ///< with the vertices of an earlier face, in any order
-  std::size_t degenerate_faces = 0;  ///< that name a vertex twice, or are flat to within \ref flat_height
-  std::size_t unreferenced_vertices = 0;
+  std::size_t duplicate_faces = 0;        ///< with the vertices of an earlier face, in any order
+  std::size_t degenerate_faces = 0;       ///< that name a vertex twice, or are flat to within flat_height
+  std::size_t unreferenced_vertices = 0;  ///< without a face
 };
 
 /** \brief A face is flat if its height is below this share of its longest edge: no direction is left in it even in

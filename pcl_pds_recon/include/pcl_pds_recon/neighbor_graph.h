@@ -15,17 +15,22 @@ namespace pds
 /** \brief A point's own nearest neighbours, nearest first. */
 struct NeighborSpan
 {
-  const std::uint32_t* first;
-  const std::uint32_t* last;
+  const std::uint32_t* first;  ///< the nearest
+  const std::uint32_t* last;   ///< behind the farthest
+
+  ///@{
+  /** \brief As of a standard container. */
   [[nodiscard]] const std::uint32_t* begin() const { return first; }
   [[nodiscard]] const std::uint32_t* end() const { return last; }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  ///@}
 };
 
 /** \brief All points joined to one: its own neighbours, then those that count it among theirs. */
 class NeighborRange
 {
  public:
+  /** \brief Forward iterator over both. */
   class Iterator
   {
    public:
@@ -58,10 +63,15 @@ class NeighborRange
     pointer at_, own_end_, reverse_begin_;
   };
 
+  /** \brief Joins the two lists of one point. */
   NeighborRange(NeighborSpan own, NeighborSpan reverse) : own_(own), reverse_(reverse) {}
+
+  ///@{
+  /** \brief As of a standard container. */
   [[nodiscard]] Iterator begin() const { return {own_.first, own_.last, reverse_.first}; }
   [[nodiscard]] Iterator end() const { return {reverse_.last, own_.last, reverse_.first}; }
   [[nodiscard]] std::size_t size() const { return own_.size() + reverse_.size(); }
+  ///@}
 
  private:
   NeighborSpan own_, reverse_;
@@ -84,6 +94,7 @@ struct NeighborGraph
   /** Rows of so few points have fewer than 2^32 entries; offsets of all rows would take 8 bytes a point. */
   static constexpr int base_bits = 16;
 
+  /** \brief Number of points. */
   [[nodiscard]] std::size_t size() const { return reverse_begin.empty() ? 0 : reverse_begin.size() - 1; }
   /** \brief The k nearest neighbours of \a i (fewer in a smaller cloud), nearest first. */
   [[nodiscard]] NeighborSpan nearest(std::size_t i) const

@@ -33,6 +33,7 @@ struct OrderedPoints
   std::size_t merged_points = 0;            ///< of these, represented by a coincident one
   std::size_t thinned_points = 0;           ///< of the rest, represented by one nearby (see thinning.h)
 
+  /** \brief Number of distinct points. */
   [[nodiscard]] std::size_t size() const { return position.size(); }
 };
 

@@ -16,18 +16,21 @@ namespace pds
 class OrientationForest
 {
  public:
+  /** \brief The face that stands for all that are joined to one. */
   struct Root
   {
-    std::uint32_t face;
-    bool flipped;  ///< against the root
+    std::uint32_t face;  ///< its number
+    bool flipped;        ///< whether the one must be turned to agree with it
   };
 
   /** \brief Adds faces that are joined to none, or forgets the last ones. */
   void resize(std::size_t count);
   /** \brief Takes back the faces from \a count on and all unions since begin_trial(). */
   void undo(std::size_t count);
+  /** \brief Marks the state to which undo() returns. */
   void begin_trial() { undo_.clear(); }
 
+  /** \brief The root of a face. O(log faces). */
   [[nodiscard]] Root root_of(std::uint32_t face) const;
   /** \brief Says that the two faces, as given, disagree or agree; their roots must differ or know that already. */
   void join(std::uint32_t a, std::uint32_t b, bool opposed);

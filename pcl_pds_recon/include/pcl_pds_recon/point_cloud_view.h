@@ -28,6 +28,7 @@ class Vector3View
       : data_(reinterpret_cast<const std::uint8_t*>(data)), stride_(stride_bytes), is_double_(false)
   {
   }
+  /** \overload */
   Vector3View(const double* data, std::size_t stride_bytes)
       : data_(reinterpret_cast<const std::uint8_t*>(data)), stride_(stride_bytes), is_double_(true)
   {

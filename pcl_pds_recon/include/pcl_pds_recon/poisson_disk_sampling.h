@@ -17,14 +17,15 @@ namespace pds
 /** \brief The nearest seeds of a point, nearest first: where several disks overlap, the Voronoi diagram shows. */
 struct NearestSeeds
 {
-  static constexpr std::size_t capacity = 3;  ///< three meet at a Voronoi vertex
-  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::size_t capacity = 3;          ///< three meet at a Voronoi vertex
+  static constexpr std::uint32_t none = 0xffffffffU;  ///< marks a place without a seed
 
-  std::array<std::uint32_t, capacity> seed{none, none, none};
-  std::array<float, capacity> distance{infinity, infinity, infinity};
+  std::array<std::uint32_t, capacity> seed{none, none, none};          ///< by ascending distance
+  std::array<float, capacity> distance{infinity, infinity, infinity};  ///< to each, in the run's metric
 
-  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  static constexpr float infinity = std::numeric_limits<float>::infinity();  ///< of a place without a seed
 
+  /** \brief True if a disk of this radius around some seed covers the point. */
   [[nodiscard]] bool covered(float radius) const { return distance[0] <= radius; }
   /** \brief Adds a seed that is not named yet, if it is nearer than the last one. Branch-free but for that. */
   void insert(std::uint32_t new_seed, float new_distance)

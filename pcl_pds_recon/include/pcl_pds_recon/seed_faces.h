@@ -16,8 +16,8 @@ using Polygon = std::vector<std::uint32_t>;
 /** \brief Faces of the seed graph. */
 struct SeedFaces
 {
-  std::vector<Triangle> triangles;
-  std::vector<Polygon> polygons;  ///< of more than three sides
+  std::vector<Triangle> triangles;  ///< of three sides
+  std::vector<Polygon> polygons;    ///< of more than three sides
 };
 
 /** \brief Traces the faces of the planar seed graph by its rotation system (paper, flowchart step 8).

@@ -27,7 +27,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 class TriangleComplex
 {
  public:
-  static constexpr std::uint32_t no_face = 0xffffffffU;
+  static constexpr std::uint32_t no_face = 0xffffffffU;  ///< number of a face that is not there
 
   /** \brief Why a triangle was refused. */
   enum class Verdict
@@ -44,6 +44,7 @@ class TriangleComplex
   class FacesAt
   {
    public:
+    /** \brief Walks the list of the vertex's faces. */
     class Iterator
     {
      public:
@@ -64,10 +65,15 @@ class TriangleComplex
       std::uint32_t vertex_, face_;
     };
 
+    /** \brief The faces at \a vertex. */
     FacesAt(const TriangleComplex& complex, std::uint32_t vertex) : complex_(complex), vertex_(vertex) {}
+
+    ///@{
+    /** \brief As of a standard container. */
     [[nodiscard]] Iterator begin() const { return {complex_, vertex_, complex_.first_at_[vertex_]}; }
     [[nodiscard]] Iterator end() const { return {complex_, vertex_, no_face}; }
     [[nodiscard]] bool empty() const { return complex_.first_at_[vertex_] == no_face; }
+    ///@}
 
    private:
     const TriangleComplex& complex_;
@@ -91,10 +97,12 @@ class TriangleComplex
   /** \brief What add() would say. */
   [[nodiscard]] Verdict judge(const Triangle& triangle, double smallest_angle) const;
 
+  /** \brief Takes a face out; the others keep their numbers. */
   void remove(std::uint32_t face);
 
   /** \brief Marks the present state; undo_trial() returns to it if faces were only added since. */
   void begin_trial();
+  /** \brief Removes the faces added since begin_trial(). */
   void undo_trial();
 
   /** \brief Where a vertex has several fans, removes all but the one with most faces; repeats until none is left.
@@ -104,14 +112,20 @@ class TriangleComplex
   /** \brief Forgets the orientation constraints of faces that were removed since. */
   void rebuild_orientation();
 
+  /** \brief True if a face has the edge (a, b), in either direction. */
   [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const { return find_face(a, b) != no_face; }
+  /** \brief Number of faces at the edge (a, b). */
   [[nodiscard]] int face_count(std::uint32_t a, std::uint32_t b) const;
+  /** \brief Positions of the vertices. */
   [[nodiscard]] const std::vector<Eigen::Vector3d>& position() const { return position_; }
 
   /** \brief Numbers of the faces that are present, ascending. */
   [[nodiscard]] std::vector<std::uint32_t> faces() const;
+  /** \brief The faces at a vertex, for a range-based loop. */
   [[nodiscard]] FacesAt faces_at(std::uint32_t vertex) const { return {*this, vertex}; }
+  /** \brief What was given for work on all vertices or faces at once. */
   [[nodiscard]] const Parallel& parallel() const { return parallel_; }
+  /** \brief Number of vertices, with a face or without. */
   [[nodiscard]] std::size_t vertex_count() const { return position_.size(); }
 
   /** \brief The face's corners, oriented consistently with all faces it is joined to. */

@@ -13,9 +13,9 @@ namespace pds
 /** \brief A triangle mesh, whoever made it, or a cloud: a mesh without faces. */
 struct TriangleMesh
 {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<Triangle> faces;           ///< vertices of each face, counter-clockwise from outside
-  std::vector<Eigen::Vector3d> normals;  ///< of a cloud's points; unit, or zero where unknown; empty if it has none
+  std::vector<Eigen::Vector3d> vertices;  ///< coordinates
+  std::vector<Triangle> faces;            ///< vertices of each face, counter-clockwise from outside
+  std::vector<Eigen::Vector3d> normals;   ///< of a cloud's points; unit, or zero where unknown; empty if it has none
 };
 
 /** \brief Checks that every face names vertices that are there and have finite coordinates.

@@ -47,9 +47,10 @@ template <typename PointInT>
 class PoissonDiskReconstruction : public MeshConstruction<PointInT>
 {
  public:
-  using Ptr = shared_ptr<PoissonDiskReconstruction<PointInT>>;
-  using ConstPtr = shared_ptr<const PoissonDiskReconstruction<PointInT>>;
+  using Ptr = shared_ptr<PoissonDiskReconstruction<PointInT>>;             ///< as in all classes of PCL
+  using ConstPtr = shared_ptr<const PoissonDiskReconstruction<PointInT>>;  ///< as in all classes of PCL
 
+  /** \brief fast_marching or dijkstra, see setGeodesicSolver(). */
   using GeodesicSolver = pds::GeodesicSolver;
 
   /** \brief Constructor. The options' defaults suit a clean, dense scan. */
