@@ -4,9 +4,12 @@
 #include "io/text_scanner.h"
 #include "io/write_mesh.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace pds
 {
@@ -88,6 +91,27 @@ OptionRow flag(std::string name, std::string help, bool CommandLine::*member)
   return {std::move(name), 0, "", std::move(help), set, get};
 }
 
+OptionRow placement_option()
+{
+  static const std::pair<const char*, Placement> choices[] = {{"point", Placement::point},
+                                                              {"quadric", Placement::quadric}};
+  const auto set = [](CommandLine& command_line, const std::string& text) {
+    const auto* const choice =
+        std::find_if(std::begin(choices), std::end(choices), [&text](const auto& c) { return text == c.first; });
+    if (choice == std::end(choices)) {
+      return false;
+    }
+    command_line.options.placement = choice->second;
+    return true;
+  };
+  const auto get = [](const CommandLine& command_line) {
+    return std::string(choices[static_cast<std::size_t>(command_line.options.placement)].first);
+  };
+  return {
+      "placement", 0,  "point|quadric", "vertices on input points, or where they fit the points best (default point)",
+      set,         get};
+}
+
 OptionRow classes_option()
 {
   const auto set = [](CommandLine& command_line, const std::string& text) {
@@ -124,6 +148,7 @@ std::vector<OptionRow> make_table()
              &Options::voronoi_threshold),
       number("hole-size", 0, "X", "perimeter limit in radii of holes that may be gaps; 0: Voronoi dual triangles only",
              &Options::hole_size),
+      placement_option(),
       number("threads", 'j', "N", "worker threads, 0 ... 1024; 0: all cores. The mesh does not depend on it",
              &Options::threads),
       number("seed", 0, "N", "picks one of the equally valid samplings", &Options::seed),

@@ -2,6 +2,7 @@
 #include "outputs.h"
 
 #include "io/atomic_file.h"
+#include "io/cell_means.h"
 #include "io/vertex_normals.h"
 #include "io/write_mesh.h"
 #include "report_json.h"
@@ -25,6 +26,7 @@ void write_text(AtomicFile& file, const std::string& text)
 PointTable make_vertices(const CommandLine& command_line, const PointTable& points, const Reconstruction& result)
 {
   PointTable vertices = points.select(result.seeds, result.report.vertices);
+  apply_moves(vertices, points, result.moved, Parallel(command_line.options.threads));
   return command_line.normals ? with_vertex_normals(vertices, result.triangles) : std::move(vertices);
 }
 

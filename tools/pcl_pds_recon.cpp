@@ -97,11 +97,17 @@ void print_options(const CommandLine& command_line, ProgressReporter& progress)
 void print_summary(const Report& report, ProgressReporter& progress)
 {
   const StageSeconds& seconds = report.seconds;
-  const std::initializer_list<std::pair<const char*, double>> stages = {
-      {"load", seconds.load},         {"neighbors", seconds.neighbors}, {"weights", seconds.weights},
-      {"sampling", seconds.sampling}, {"voronoi", seconds.voronoi},     {"seed_graph", seconds.seed_graph},
-      {"faces", seconds.faces},       {"holes", seconds.holes},         {"orientation", seconds.orientation},
-      {"save", seconds.save}};
+  const std::initializer_list<std::pair<const char*, double>> stages = {{"load", seconds.load},
+                                                                        {"neighbors", seconds.neighbors},
+                                                                        {"weights", seconds.weights},
+                                                                        {"sampling", seconds.sampling},
+                                                                        {"voronoi", seconds.voronoi},
+                                                                        {"seed_graph", seconds.seed_graph},
+                                                                        {"faces", seconds.faces},
+                                                                        {"holes", seconds.holes},
+                                                                        {"orientation", seconds.orientation},
+                                                                        {"placement", seconds.placement},
+                                                                        {"save", seconds.save}};
   for (const auto& [stage, duration] : stages) {
     progress.detail(fmt::format("{}: {:.3f} s", stage, duration));
   }

@@ -13,10 +13,10 @@ using Json = nlohmann::ordered_json;
 
 Json seconds_json(const StageSeconds& seconds)
 {
-  return {{"load", seconds.load},         {"neighbors", seconds.neighbors}, {"weights", seconds.weights},
-          {"sampling", seconds.sampling}, {"voronoi", seconds.voronoi},     {"seed_graph", seconds.seed_graph},
-          {"faces", seconds.faces},       {"holes", seconds.holes},         {"orientation", seconds.orientation},
-          {"save", seconds.save},         {"total", seconds.total}};
+  return {{"load", seconds.load},           {"neighbors", seconds.neighbors}, {"weights", seconds.weights},
+          {"sampling", seconds.sampling},   {"voronoi", seconds.voronoi},     {"seed_graph", seconds.seed_graph},
+          {"faces", seconds.faces},         {"holes", seconds.holes},         {"orientation", seconds.orientation},
+          {"placement", seconds.placement}, {"save", seconds.save},           {"total", seconds.total}};
 }
 
 }  // namespace

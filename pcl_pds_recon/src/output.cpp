@@ -143,4 +143,24 @@ void describe_seed_graph(const SeedGraph& graph,
     append(result.seed_edges, part);
 }
 
+void describe_moved_vertices(const std::vector<Eigen::Vector3d>& position,
+                             const OrderedPoints& points,
+                             const PoissonDiskSampling& sampling,
+                             const GeodesicVoronoi& voronoi,
+                             const std::vector<std::uint32_t>& number_of_seed,
+                             Reconstruction& result)
+{
+  std::vector<std::uint32_t> seed_of_vertex(result.seeds.size());
+  for (std::uint32_t s = 0; s < number_of_seed.size(); ++s) seed_of_vertex[number_of_seed[s]] = s;
+  seed_of_vertex.resize(result.report.vertices);
+  MovedVertices& moved = result.moved;
+  moved.cell_begin = {0};
+  for (const std::uint32_t s : seed_of_vertex) {
+    moved.position.emplace_back(points.origin + sampling.radius * points.unit * position[s]);
+    for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i)
+      moved.cell_point.push_back(points.input_index[voronoi.cell_point[i]]);
+    moved.cell_begin.push_back(moved.cell_point.size());
+  }
+}
+
 }  // namespace pds

@@ -37,4 +37,13 @@ void describe_seed_graph(const SeedGraph& graph,
                          Reconstruction& result,
                          const Parallel& parallel);
 
+/** \brief Fills in the vertices' positions and their cells, once their count is in the report.
+ * \param position of every seed, in radii */
+void describe_moved_vertices(const std::vector<Eigen::Vector3d>& position,
+                             const OrderedPoints& points,
+                             const PoissonDiskSampling& sampling,
+                             const GeodesicVoronoi& voronoi,
+                             const std::vector<std::uint32_t>& number_of_seed,
+                             Reconstruction& result);
+
 }  // namespace pds

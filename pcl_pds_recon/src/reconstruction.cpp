@@ -6,6 +6,7 @@
 #include <pcl_pds_recon/neighbor_graph.h>
 #include <pcl_pds_recon/ordered_points.h>
 #include <pcl_pds_recon/orientation.h>
+#include <pcl_pds_recon/placement.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/reconstruction.h>
 #include <pcl_pds_recon/seed_faces.h>
@@ -212,12 +213,20 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   report.filled_holes = fill_holes(complex, seeds, BorderingCells(voronoi.pairs), faces.polygons, limits);
 
   clock.start("orientation", 0.95, report.seconds.orientation);
+  std::vector<Triangle> triangles = orient_faces(complex, cues_for(cloud, points, sampling));
+  std::vector<Eigen::Vector3d> placed;
+  if (options.placement == Placement::quadric) {
+    clock.start("placement", 0.96, report.seconds.placement);
+    placed = place_vertices(seeds, triangles, points, sampling, voronoi, parallel);
+    clock.start("output", 0.98, report.seconds.orientation);
+  }
   const std::vector<std::uint32_t> number_of_seed =
-      number_vertices(orient_faces(complex, cues_for(cloud, points, sampling)), points, sampling, result, parallel);
+      number_vertices(std::move(triangles), points, sampling, result, parallel);
   describe_points(cloud, points, sampling, voronoi, number_of_seed, result, parallel);
   describe_seed_graph(seed_graph, number_of_seed, result, parallel);
   report.orientable = one_sided.empty();
   report_certificate(certify(result.triangles, result.seeds.size(), parallel), result);
+  if (!placed.empty()) describe_moved_vertices(placed, points, sampling, voronoi, number_of_seed, result);
   report_sampling(sampling, report, parallel);
   clock.stop();
 

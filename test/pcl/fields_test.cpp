@@ -52,6 +52,43 @@ TEST(PoissonDiskReconstructionFields, ColourAndNormalsAreCarried)
   expectAllFieldsCarried(*cloud, mesh, reconstruction.getSeedIndices());
 }
 
+TEST(PoissonDiskReconstructionFields, QuadricPlacementTakesMeansOverCells)
+{
+  const auto cloud = makeSphere<pcl::PointXYZRGBNormal>();
+  for (auto& point : *cloud) {
+    point.getNormalVector3fMap() = point.getVector3fMap();
+    point.r = point.x > 0 ? 255 : 1;
+    point.a = 7;
+    point.curvature = point.z;
+  }
+  pcl::PoissonDiskReconstruction<pcl::PointXYZRGBNormal> reconstruction;
+  reconstruction.setInputCloud(cloud);
+  reconstruction.setPlacement(pds::Placement::quadric);
+  pcl::PolygonMesh mesh;
+  reconstruction.reconstruct(mesh);
+  expectClosedSurface(mesh.polygons);
+  pcl::PointCloud<pcl::PointXYZRGBNormal> vertices;
+  pcl::fromPCLPointCloud2(mesh.cloud, vertices);
+  ASSERT_EQ(vertices.size(), reconstruction.getSeedIndices().size());
+  std::vector<double> curvature(vertices.size());
+  std::vector<double> red(vertices.size());
+  std::vector<double> points(vertices.size());
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    const auto cell = static_cast<std::size_t>(reconstruction.getVoronoiLabels()[i]);
+    if (cell >= vertices.size()) continue;
+    curvature[cell] += static_cast<double>((*cloud)[i].curvature);
+    red[cell] += (*cloud)[i].r;
+    ++points[cell];
+  }
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    EXPECT_NEAR(vertices[v].curvature, curvature[v] / points[v], 1e-6);
+    EXPECT_NEAR(vertices[v].r, red[v] / points[v], 0.5001);
+    EXPECT_EQ(vertices[v].a, 7);
+    EXPECT_NEAR(vertices[v].getNormalVector3fMap().norm(), 1.0f, 1e-5f);
+    EXPECT_GT(vertices[v].getNormalVector3fMap().dot(vertices[v].getVector3fMap()), 0.95f);
+  }
+}
+
 TEST(PoissonDiskReconstructionFields, IntensityIsCarried)
 {
   const auto cloud = makeSphere<pcl::PointXYZI>();

@@ -103,6 +103,7 @@ TEST(PoissonDiskReconstruction, SettersAndGettersAgreeAndRunsKeepSettings)
   EXPECT_EQ(reconstruction.getVoronoiThreshold(), defaults.voronoi_threshold);
   EXPECT_EQ(reconstruction.getHoleSize(), defaults.hole_size);
   EXPECT_EQ(reconstruction.getGeodesicSolver(), defaults.geodesic_solver);
+  EXPECT_EQ(reconstruction.getPlacement(), defaults.placement);
   EXPECT_EQ(reconstruction.getNumberOfThreads(), defaults.threads);
   EXPECT_EQ(reconstruction.getSeed(), defaults.seed);
 
@@ -113,6 +114,7 @@ TEST(PoissonDiskReconstruction, SettersAndGettersAgreeAndRunsKeepSettings)
   reconstruction.setVoronoiThreshold(0.2);
   reconstruction.setHoleSize(12.0);
   reconstruction.setGeodesicSolver(Reconstruction::GeodesicSolver::dijkstra);
+  reconstruction.setPlacement(Reconstruction::Placement::quadric);
   reconstruction.setNumberOfThreads(2);
   reconstruction.setSeed(99);
   reconstruction.setInputCloud(makeSphere<PointXYZ>());

@@ -114,6 +114,7 @@ TEST(CommandLineTest, names_the_option_that_is_no_number)
   }
   EXPECT_TRUE(contains(complaint_with_files({"-k", "3x"}), "--k-neighbors"));
   EXPECT_TRUE(contains(complaint_with_files({"-k", "15.5"}), "--k-neighbors"));
+  EXPECT_TRUE(contains(complaint_with_files({"--placement", "middle"}), "--placement: 'middle' does not fit"));
 }
 
 TEST(CommandLineTest, names_the_option_out_of_range)
@@ -187,6 +188,8 @@ TEST_F(Config, round_trip_gives_the_same_run)
                                               "3",
                                               "--seed",
                                               "9",
+                                              "--placement",
+                                              "quadric",
                                               "--class",
                                               "2,6",
                                               "--normals",
@@ -201,6 +204,7 @@ TEST_F(Config, round_trip_gives_the_same_run)
   EXPECT_EQ(to_config(loaded), to_config(saved));
   EXPECT_EQ(loaded.options.radius_factor, 2.3000000000000003);
   EXPECT_EQ(loaded.options.radius, 1e-7);
+  EXPECT_EQ(loaded.options.placement, Placement::quadric);
   EXPECT_EQ(loaded.report_file, "my report.json");
   EXPECT_EQ(loaded.classes, saved.classes);
   EXPECT_TRUE(loaded.normals);

@@ -29,7 +29,7 @@ TEST(ReportJson, has_the_promised_keys)
             "merged_points thinned_points refined_seeds min_seed_distance coverage_radius threads seconds "
             "peak_rss_bytes version ");
   EXPECT_EQ(keys(json["seconds"]),
-            "load neighbors weights sampling voronoi seed_graph faces holes orientation save total ");
+            "load neighbors weights sampling voronoi seed_graph faces holes orientation placement save total ");
 }
 
 TEST(ReportJson, keeps_values)

@@ -97,6 +97,24 @@ TEST_F(Run, report_and_voronoi_file_agree_with_the_mesh)
   EXPECT_LT(witnesses, point_count / 2);
 }
 
+TEST_F(Run, quadric_placement_gives_means_of_quantities_and_keeps_classes)
+{
+  write("in.txt", "x y z nx ny nz intensity classification\n" + sphere_rows(point_count, 1, 0, 0, " 0 0 2 0.25 6"));
+  ASSERT_EQ(run("-q in.txt point.ply"), 0) << errors();
+  ASSERT_EQ(run("-q --placement quadric in.txt quadric.ply"), 0) << errors();
+  const PointTable on_points = read_points(path("point.ply"), Parallel(2));
+  const PointTable moved = read_points(path("quadric.ply"), Parallel(2));
+  ASSERT_EQ(moved.size(), on_points.size());
+  EXPECT_EQ(describe_fields(moved), describe_fields(on_points));
+  std::size_t on_sphere = 0;
+  for (std::size_t row = 0; row < moved.size(); ++row) {
+    const std::vector<double> values = row_values(moved, row);
+    on_sphere += std::abs(std::hypot(values[0], values[1], values[2]) - 1) < 1e-6 ? 1U : 0U;
+    EXPECT_EQ((std::vector<double>(values.begin() + 3, values.end())), (std::vector<double>{0, 0, 1, 0.25, 6}));
+  }
+  EXPECT_LT(on_sphere, moved.size() / 2) << "vertices lie beyond the bend of the surface";
+}
+
 TEST_F(Run, logs_stages_unless_quiet_and_more_if_verbose)
 {
   write("in.xyz", sphere_rows(point_count, 1, 0, 0));

@@ -15,6 +15,13 @@ enum class GeodesicSolver
   dijkstra        ///< shortest paths along graph edges; overestimates, kept for comparison
 };
 
+/** \brief Where the vertices of the mesh are. */
+enum class Placement
+{
+  point,   ///< on input points: the seeds
+  quadric  ///< where the mesh fits the points of its vertices' Voronoi cells best, off the points; see placement.h
+};
+
 /** \brief Everything a reconstruction can be told. The defaults suit a clean, dense scan.
  *
  * Distances are in the unit of the input unless a field says otherwise.
@@ -31,6 +38,7 @@ struct Options
    * Voronoi dual only. */
   double hole_size = 15.0;
   GeodesicSolver geodesic_solver = GeodesicSolver::fast_marching;  ///< how disks are grown
+  Placement placement = Placement::point;                          ///< where the vertices are
   unsigned threads = 0;    ///< worker threads (0 ... 1024); 0 = all cores. The result does not depend on it
   std::uint64_t seed = 0;  ///< picks one of the equally valid dart-throwing orders
 };

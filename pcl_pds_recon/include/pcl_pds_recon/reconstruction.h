@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,16 @@ struct VoronoiDiagram
   std::vector<float> distance;       ///< distance to it in input units, in the run's metric; NaN without a label
 };
 
+/** \brief Vertices that are not on input points (Placement::quadric). */
+struct MovedVertices
+{
+  std::vector<Eigen::Vector3d> position;  ///< of each vertex, in the input's coordinates; empty if none has moved
+  /** \brief Input indices of the points in the vertices' cells, in an order that does not depend on the input's, for
+   * means of their attributes. Of coincident points there is one, and none that was thinned out. */
+  std::vector<std::uint32_t> cell_point;
+  std::vector<std::size_t> cell_begin;  ///< by vertex: its first place in cell_point; size vertices + 1
+};
+
 /** \brief An oriented, manifold triangle mesh on a subset of the input points, and how it came about. */
 struct Reconstruction
 {
@@ -31,6 +42,7 @@ struct Reconstruction
    * ended without a face follow. Their order does not depend on the order of the input. */
   std::vector<std::uint32_t> seeds;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertices of each face, counter-clockwise from outside
+  MovedVertices moved;                                  ///< empty unless vertices are placed off the points
   VoronoiDiagram voronoi;                               ///< cell and distance of every input point
   std::vector<std::uint32_t> witness_points;            ///< input indices of points near Voronoi edges, ascending
   /** \brief Seed graph: pairs of seeds whose Voronoi cells border each other, as far as they do not cross; numbers into

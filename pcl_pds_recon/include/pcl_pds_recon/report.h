@@ -19,6 +19,7 @@ struct StageSeconds
   double faces = 0;        ///< faces of the planar graph and their triangles
   double holes = 0;        ///< hole filling
   double orientation = 0;  ///< orientation, output order, certificate
+  double placement = 0;    ///< moving the vertices, if they are placed off the points
   double save = 0;         ///< writing the output file (command tool)
   double total = 0;        ///< the whole run
 };

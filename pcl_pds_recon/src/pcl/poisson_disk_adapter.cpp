@@ -204,6 +204,8 @@ PoissonDiskResult makeResult(pds::Reconstruction&& reconstruction, const PointSe
   for (const auto& loop : reconstruction.boundary_loops) {
     result.boundary_loops.emplace_back(loop.begin(), loop.end());
   }
+  result.moved = std::move(reconstruction.moved);
+  for (std::uint32_t& row : result.moved.cell_point) row = static_cast<std::uint32_t>(selection.pointOfRow(row));
   result.report = std::move(reconstruction.report);
   return result;
 }

@@ -16,8 +16,9 @@ namespace pcl
  *
  * The points need no normals and may hold NaN rows. Poisson-disk samples (seeds) are thrown on the cloud by growing
  * geodesic disks over the graph of the k nearest neighbours; the geodesic Voronoi diagram of the seeds tells which of
- * them are adjacent, and its dual is the mesh. All vertices are input points. The mesh never has an edge of more than
- * two triangles, a vertex of more than one fan, or neighbours of opposite winding, whatever the input.
+ * them are adjacent, and its dual is the mesh. All vertices are input points, unless setPlacement says otherwise. The
+ * mesh never has an edge of more than two triangles, a vertex of more than one fan, or neighbours of opposite winding,
+ * whatever the input.
  *
  * \code
  * pcl::PoissonDiskReconstruction<pcl::PointXYZ> reconstruction;
@@ -52,6 +53,7 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
 
   /** \brief fast_marching or dijkstra, see setGeodesicSolver(). */
   using GeodesicSolver = pds::GeodesicSolver;
+  using Placement = pds::Placement;
 
   /** \brief Constructor. The options' defaults suit a clean, dense scan. */
   PoissonDiskReconstruction();
@@ -123,6 +125,17 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
 
   /** \brief Get how distances along the surface are computed. */
   GeodesicSolver getGeodesicSolver() const { return options_.geodesic_solver; }
+
+  /** \brief Set where the vertices of the mesh are.
+   * \param[in] placement Placement::point (default): on input points. Placement::quadric: where the mesh fits the
+   * points best; that is nearer to the surface, in the middle of noise and on creases. The mesh's cloud then holds
+   * means of the fields over the vertices' Voronoi cells (of whole numbers other than colours the sample's value),
+   * while seed indices and reconstruct(std::vector<pcl::Vertices>&) refer to the samples as before.
+   */
+  void setPlacement(Placement placement) { options_.placement = placement; }
+
+  /** \brief Get where the vertices of the mesh are. */
+  Placement getPlacement() const { return options_.placement; }
 
   /** \brief Set the number of threads. The mesh does not depend on it.
    * \param[in] threads number of worker threads; 0 (default) = all cores
@@ -220,6 +233,9 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
  private:
   /** \brief Prepare the base class for a run; false, with the status set, if there is no input. */
   bool initReconstruction();
+
+  /** \brief The input cloud without its type. */
+  detail::PointRecords describeInput() const;
 
   /** \brief Run the core on the input and keep its result in result_. */
   void compute();

@@ -70,6 +70,7 @@ struct PoissonDiskResult
   std::vector<float> voronoi_distances;                    ///< per input point; NaN: no label
   Indices witness_points;                                  ///< ascending
   std::vector<Indices> boundary_loops;                     ///< of mesh vertices
+  pds::MovedVertices moved;                                ///< with input indices; empty if vertices are input points
   pds::Report report;
 };
 
@@ -87,6 +88,14 @@ PCL_EXPORTS PoissonDiskResult reconstructPoissonDisk(const PointRecords& records
                                                      const NeighborSearch& search,
                                                      const pds::Options& options,
                                                      const pds::Progress& progress);
+
+/** \brief Puts vertices where \a result has moved them, with means of the fields over their cells.
+ *
+ * Fractional fields and colours become means; normals are unit vectors again. Other fields stay.
+ * \param[in] cloud the input
+ * \param[in,out] vertices as many records as there are vertices, of the same kind: copies of the seeds
+ */
+PCL_EXPORTS void applyMoves(const PoissonDiskResult& result, const PointRecords& cloud, std::uint8_t* vertices);
 
 /** \brief The triangles of \a result as PCL polygons of mesh vertices. */
 PCL_EXPORTS std::vector<Vertices> meshPolygons(const PoissonDiskResult& result);

@@ -46,6 +46,7 @@ void pcl::PoissonDiskReconstruction<PointInT>::performReconstruction(pcl::Polygo
   compute();
   // Not by pcl::copyPointCloud: it ignores the order of the indices if there are as many as points.
   pcl::PointCloud<PointInT> vertices(*input_, result_.seeds);
+  detail::applyMoves(result_, describeInput(), reinterpret_cast<std::uint8_t*>(vertices.points.data()));
   vertices.is_dense = true;
   pcl::toPCLPointCloud2(vertices, output.cloud);
   output.header = input_->header;
@@ -75,7 +76,7 @@ bool pcl::PoissonDiskReconstruction<PointInT>::initReconstruction()
 }
 
 template <typename PointInT>
-void pcl::PoissonDiskReconstruction<PointInT>::compute()
+pcl::detail::PointRecords pcl::PoissonDiskReconstruction<PointInT>::describeInput() const
 {
   detail::PointRecords records;
   records.data = reinterpret_cast<const std::uint8_t*>(input_->points.data());
@@ -83,9 +84,14 @@ void pcl::PoissonDiskReconstruction<PointInT>::compute()
   records.size = input_->points.size();
   records.fields = pcl::getFields<PointInT>();
   records.sensor_origin = input_->sensor_origin_.template head<3>().template cast<double>();
+  return records;
+}
 
+template <typename PointInT>
+void pcl::PoissonDiskReconstruction<PointInT>::compute()
+{
   const Indices* chosen_points = fake_indices_ ? nullptr : indices_.get();
-  result_ = detail::reconstructPoissonDisk(records, chosen_points, userSearch(), options_, progress_);
+  result_ = detail::reconstructPoissonDisk(describeInput(), chosen_points, userSearch(), options_, progress_);
   if (result_.status != PoissonDiskStatus::success) {
     PCL_ERROR("[pcl::%s::performReconstruction] %s\n", getClassName().c_str(), result_.message.c_str());
   }
