@@ -77,6 +77,7 @@ SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGrap
   SurfaceEstimate surface;
   surface.normal.resize(graph.size());
   surface.curvature.resize(graph.size());
+  surface.inside.resize(graph.size());
   const InstructionSet set = best_instruction_set();
   parallel.blocks(graph.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
     fit_planes(set, points, graph, begin, end, surface);

@@ -101,9 +101,12 @@ Eigen::Vector3f GeodesicDisk::position(std::uint32_t node) const
 
 const std::vector<GeodesicDisk::Reached>& GeodesicDisk::grow(std::uint32_t source, float limit)
 {
-  measure(node_of(source), limit);
-  reject_unsupported_arcs(node_of(source));
-  if (!marched_.empty()) march(node_of(source), limit);
+  const std::uint32_t center = node_of(source);
+  measure(center, limit);
+  if (!all_arcs_supported(center)) {
+    reject_unsupported_arcs(center);
+    march(center, limit);
+  }
   reached_.clear();
   for (const std::uint32_t node : within_)
     if (settled_[node] < no_arc) reached_.push_back({patch_[node], settled_[node]});
@@ -122,6 +125,19 @@ void GeodesicDisk::measure(std::uint32_t source, float limit)
   within_.resize(columns_->x.size() + 1);
   within_.resize(measure_arcs(instruction_set_, *columns_, query, settled_.data(), within_.data()));
   settled_[source] = 0;
+}
+
+/** \brief True if all points within the limit are on arcs that the graph supports.
+ *
+ * A point with neighbours all around has one that is nearer to the source, wherever that is: it needs no look at its
+ * row. A gap shows at the points on its rim.
+ */
+bool GeodesicDisk::all_arcs_supported(std::uint32_t source) const
+{
+  return std::all_of(within_.begin(), within_.end(), [this, source](std::uint32_t node) {
+    if (settled_[node] == no_arc) return false;
+    return surface_.inside[patch_[node]] != 0 || node == source || is_supported(node);
+  });
 }
 
 /** \brief Leaves to marching what is no arc, and arcs that the graph does not support. An arc loses its support with

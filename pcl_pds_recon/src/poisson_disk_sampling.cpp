@@ -55,8 +55,9 @@ std::uint64_t hash_position(const Eigen::Vector3f& p, std::uint64_t seed)
   return hash;
 }
 
-/** \brief Space cut into cells of 2 x 2 x 2 blocks. A block is as wide as a disk reaches, so that the disks of a cell
- * stay within the blocks next to it, and those of different cells of one colour have no block in common.
+/** \brief Space cut into cells of 4 x 4 x 4 blocks. A block is as wide as a disk reaches, so that the disks of a cell
+ * stay within the blocks next to it, and those of different cells of one colour have no block in common. Cells of two
+ * blocks a side would do for that, but what surrounds them would be three times as much as they hold.
  *
  * A block's number has its cell's colour in the top bits, then the cell, then its place in the cell. Coordinates repeat
  * every 2^20 blocks along an axis: it does no harm that cells far apart take their turn together.
@@ -76,8 +77,8 @@ class BlockGrid
       auto floor = static_cast<std::int64_t>(coordinate);
       floor -= static_cast<double>(floor) > coordinate ? 1 : 0;
       const auto block = static_cast<std::uint64_t>(floor);
-      cell = cell << axis_bits | (block >> 1 & axis_mask);
-      place = place << 1 | (block & 1);
+      cell = cell << axis_bits | (block >> side_bits & axis_mask);
+      place = place << side_bits | (block & (side - 1));
     }
     return number_of(cell) << place_bits | place;
   }
@@ -98,15 +99,17 @@ class BlockGrid
   static bool touches(std::uint64_t block, const std::array<int, 3>& step)
   {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool upper = (block >> (2 - axis) & 1) != 0;
-      if ((step[axis] < 0 && !upper) || (step[axis] > 0 && upper)) return false;
+      const std::uint64_t along = block >> ((2 - axis) * side_bits) & (side - 1);
+      if ((step[axis] < 0 && along != side - 1) || (step[axis] > 0 && along != 0)) return false;
     }
     return true;
   }
 
  private:
-  static constexpr int place_bits = 3;
-  static constexpr int axis_bits = 19;
+  static constexpr int side_bits = 2;
+  static constexpr std::uint64_t side = 1U << side_bits;  ///< of a cell, in blocks
+  static constexpr int place_bits = 3 * side_bits;
+  static constexpr int axis_bits = 18;
   static constexpr std::uint64_t axis_mask = (std::uint64_t{1} << axis_bits) - 1;
 
   static std::uint64_t coordinate(std::uint64_t cell, std::size_t axis)

@@ -84,6 +84,27 @@ TEST(SurfaceEstimate, FindsPrincipalAxesOfSpecksInAHugeBox)
   }
 }
 
+TEST(SurfaceEstimate, TellsTheInsideFromTheRim)
+{
+  Random random(11);
+  Points square;
+  while (square.size() < 20000) square.emplace_back(random.uniform(), random.uniform(), 0);
+  const Stages stages(square);
+  const pds::SurfaceEstimate surface = pds::estimate_surface(stages.points, stages.graph, stages.parallel);
+  const double interval = stages.graph.sampling_interval * stages.points.unit;
+  std::size_t inner = 0, inner_inside = 0, rim = 0, rim_inside = 0;
+  for (std::size_t i = 0; i < stages.points.size(); ++i) {
+    const Eigen::Vector3d& p = square[stages.points.input_index[i]];
+    const double from_rim = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
+    inner += from_rim > 3 * interval ? 1 : 0;
+    inner_inside += from_rim > 3 * interval ? surface.inside[i] : 0;
+    rim += from_rim < 0.2 * interval ? 1 : 0;
+    rim_inside += from_rim < 0.2 * interval ? surface.inside[i] : 0;
+  }
+  EXPECT_GT(static_cast<double>(inner_inside), 0.88 * static_cast<double>(inner)) << "of " << inner;
+  EXPECT_LT(static_cast<double>(rim_inside), 0.25 * static_cast<double>(rim)) << "of " << rim;
+}
+
 TEST(SurfaceEstimate, HasNoNormalWithoutTwoNeighbors)
 {
   const Stages stages({{0, 0, 0}, {1, 0, 0}});
@@ -101,6 +122,7 @@ TEST(SurfaceEstimate, IsTheSameForEveryInstructionSet)
     pds::SurfaceEstimate surface;
     surface.normal.resize(stages.points.size());
     surface.curvature.resize(stages.points.size());
+    surface.inside.resize(stages.points.size());
     pds::fit_planes(set, stages.points, stages.graph, 0, stages.points.size(), surface);
     return surface;
   };
@@ -110,6 +132,7 @@ TEST(SurfaceEstimate, IsTheSameForEveryInstructionSet)
     const pds::SurfaceEstimate surface = fitted(set);
     EXPECT_EQ(surface.normal, expected.normal);
     EXPECT_EQ(surface.curvature, expected.curvature);
+    EXPECT_EQ(surface.inside, expected.inside);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct SurfaceEstimate
 {
   PointArray<Eigen::Vector3f> normal;  ///< unit, of arbitrary sign; zero where the neighbourhood is no surface
   PointArray<float> curvature;         ///< square root of the surface variation (smallest eigenvalue over their sum)
+  PointArray<std::uint8_t> inside;     ///< 1 where the neighbours lie all around, so hardly ever at a rim; else 0
 };
 
 /** \brief The metric in which disks are grown: an edge is its length times the mean weight of its two ends.

@@ -106,6 +106,7 @@ class GeodesicDisk
   [[nodiscard]] NeighborRange neighbors(std::uint32_t node) const { return graph_.neighbors(patch_[node]); }
   [[nodiscard]] Eigen::Vector3f position(std::uint32_t node) const;
   void measure(std::uint32_t source, float limit);
+  [[nodiscard]] bool all_arcs_supported(std::uint32_t source) const;
   void reject_unsupported_arcs(std::uint32_t source);
   void fetch_row(std::uint32_t node) const;
   [[nodiscard]] bool is_supported(std::uint32_t node) const;

@@ -72,10 +72,11 @@ constexpr double disk_reach = 1.25;
 
 /** \brief Dart throwing over geodesic disks (paper, flowchart steps 2 to 5).
  *
- * The distance of two points is the smaller of those measured from either. Space is cut into cells of twice the reach,
- * coloured with 2 x 2 x 2 colours: disks of different cells of one colour cannot meet, because no distance is below the
- * Euclidean one. Colours are worked through in turn, the cells of one in parallel, the points of a cell in an order
- * of descending feature rank, drawn among equals by hashing their coordinates: the result depends on nothing else.
+ * The distance of two points is the smaller of those measured from either. Space is cut into cells of four times the
+ * reach, coloured with 2 x 2 x 2 colours: disks of different cells of one colour cannot meet, because no distance is
+ * below the Euclidean one. Colours are worked through in turn, the cells of one in parallel, the points of a cell in an
+ * order of descending feature rank, drawn among equals by hashing their coordinates: the result depends on nothing
+ * else.
  *
  * \param feature_rank per point, 0 ... 15: points of higher rank are tried first
  * \param radius in units of position
