@@ -43,6 +43,7 @@ std::string to_json(const Report& report)
                      {"filled_holes", report.filled_holes},
                      {"merged_points", report.merged_points},
                      {"thinned_points", report.thinned_points},
+                     {"smoothed", report.smoothed},
                      {"refined_seeds", report.refined_seeds},
                      {"min_seed_distance", report.min_seed_distance},
                      {"coverage_radius", report.coverage_radius},

@@ -98,14 +98,17 @@ void describe_points(const PointCloudView& cloud,
   result.voronoi.label.resize(n, no_label);
   result.voronoi.distance.resize(n, std::numeric_limits<float>::quiet_NaN());
   if (sampling.nearest.empty()) return;
+  const auto place_of = [&](std::size_t i) -> Eigen::Vector3f {
+    return ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
+  };
   const auto describe = [&](std::size_t i, Indices& witnesses) {
     const std::uint32_t rank = points.rank_of_input[i];
     if (rank == no_rank) return;
     const NearestSeeds& nearest = sampling.nearest[rank];
     Label label{nearest.seed[0], nearest.distance[0]};
     if (points.thinned_points > 0 && points.input_index[rank] != i) {
-      const Eigen::Vector3f position = ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
-      if (position != points.position[rank])
+      const Eigen::Vector3f position = place_of(i);
+      if (position != place_of(points.input_index[rank]))
         label = label_beside(position, points.position[rank], nearest, points, sampling);
     }
     result.voronoi.label[i] = number_of_seed[label.seed];

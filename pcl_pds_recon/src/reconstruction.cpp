@@ -9,6 +9,7 @@
 #include <pcl_pds_recon/placement.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/reconstruction.h>
+#include <pcl_pds_recon/scan_noise.h>
 #include <pcl_pds_recon/seed_faces.h>
 #include <pcl_pds_recon/seed_graph.h>
 #include <pcl_pds_recon/thinning.h>
@@ -25,6 +26,7 @@ namespace pds
 namespace
 {
 
+constexpr int most_smoothings = 4;      // noise of one interval takes three; what is left then is no surface
 constexpr double largest_radius = 1e9;  // units of position, whose box has side 1: beyond any disk, finite as a float
 
 /** \brief Announces stages and takes their time. */
@@ -60,10 +62,12 @@ struct Neighborhoods
 {
   OrderedPoints points;
   NeighborGraph graph;
+  bool noisy = false;   ///< then the points' positions are smoothed, and not those of the cloud
   double interval = 0;  ///< sampling interval that the radius refers to: of the cloud before thinning, if that is known
 };
 
-/** \brief Orders, thins and joins the points. A radius in sampling intervals is known only once all are joined. */
+/** \brief Orders, thins, smooths if they are noisy, and joins the points. A radius in sampling intervals is known only
+ * once all are joined. */
 Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& options, const Parallel& parallel)
 {
   Neighborhoods found;
@@ -73,11 +77,19 @@ Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& opt
   };
   const auto join = [&] {
     found.graph = {};  // before the next one is made: two of them would be the peak of the run's memory
-    found.graph = build_neighbor_graph(found.points, cloud, options.k_neighbors, parallel);
+    // A search that the caller brings knows nothing of smoothed positions.
+    PointCloudView searched = cloud;
+    if (found.noisy) searched.neighbor_search = nullptr;
+    found.graph = build_neighbor_graph(found.points, searched, options.k_neighbors, parallel);
   };
   found.points = order_points(cloud, parallel);
   if (options.radius > 0) thin(options.radius / found.points.unit);
   join();
+  for (int pass = 0; pass < most_smoothings && is_noisy(found.points, found.graph, parallel); ++pass) {
+    found.noisy = true;
+    found.points.position = smooth_positions(found.points, found.graph, parallel);
+    join();
+  }
   found.interval = found.graph.sampling_interval;
   if (options.radius > 0 || found.interval <= 0) return found;
   const std::size_t points = found.points.size();
@@ -99,7 +111,7 @@ Metric choose_metric(const Neighborhoods& found,
                      const Parallel& parallel,
                      Report& report)
 {
-  const auto& [points, graph, interval_of_cloud] = found;
+  const auto& [points, graph, noisy, interval_of_cloud] = found;
   Metric metric;
   const double interval = graph.sampling_interval;
   if (interval <= 0) return metric;
@@ -187,7 +199,8 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
 
   // Steps 2 to 5: seeds and their disks.
   clock.start("sampling", 0.5, report.seconds.sampling);
-  const std::vector<std::uint8_t> features = feature_ranks(surface, graph, parallel);
+  const std::vector<std::uint8_t> features =
+      found.noisy ? middle_ranks(cloud, points, parallel) : feature_ranks(surface, graph, parallel);
   PoissonDiskSampling sampling;
   if (metric.radius > 0)
     sampling = sample_poisson_disks(points, graph, surface, metric.weights, features, metric.radius,
@@ -234,6 +247,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   report.valid_points = points.valid_points;
   report.merged_points = points.merged_points;
   report.thinned_points = points.thinned_points;
+  report.smoothed = found.noisy;
   report.k = options.k_neighbors;
   report.threads = parallel.threads();
   report.peak_rss_bytes = peak_resident_bytes();
