@@ -139,8 +139,8 @@ bool are_same_file(const std::string& a, const std::string& b)
 
 void check_files_differ(const CommandLine& command_line)
 {
-  std::vector<std::string> files = {command_line.output, command_line.report_file, command_line.voronoi_file,
-                                    command_line.config_to_save};
+  std::vector<std::string> files = {command_line.output, command_line.report_file, command_line.html_file,
+                                    command_line.voronoi_file, command_line.config_to_save};
   files.insert(files.end(), command_line.inputs.begin(), command_line.inputs.end());
   files.erase(std::remove(files.begin(), files.end(), ""), files.end());
   if (command_line.output == standard_stream) {

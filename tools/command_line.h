@@ -28,6 +28,7 @@ struct CommandLine
   bool normals = false;               ///< give the vertices the normals of the mesh
   std::vector<std::uint8_t> classes;  ///< of points to be used; empty: all
   std::string report_file;            ///< empty: none
+  std::string html_file;              ///< page with the report; empty: none
   std::string voronoi_file;           ///< empty: none
   std::string config_to_save;         ///< empty: none
   Verbosity verbosity = Verbosity::normal;

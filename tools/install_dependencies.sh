@@ -6,7 +6,7 @@ set -eu
 
 build="cmake ninja-build g++ libpcl-dev libeigen3-dev"
 tools="libboost-program-options-dev libembree-dev liblzf-dev libspdlog-dev nlohmann-json3-dev libvtk9-dev"
-tests="dpkg-dev pkg-config libgtest-dev libbenchmark-dev libnanoflann-dev"
+tests="chromium chromium-driver python3-pil python3-selenium dpkg-dev pkg-config libgtest-dev libbenchmark-dev libnanoflann-dev"
 documentation="doxygen help2man man-db python3"
 checks="clang-format clang-tidy git ca-certificates"
 # VTK draws through an X server; xvfb-run needs xauth, and a machine without a GPU needs Mesa's software renderer.

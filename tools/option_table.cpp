@@ -156,6 +156,8 @@ std::vector<OptionRow> make_table()
       flag("normals", "give the vertices the normals of the mesh", &CommandLine::normals),
       flag("ascii", "write text where OUTPUT's format has both text and binary", &CommandLine::ascii),
       file("report", "FILE.json", "write counts, topology certificate and times", &CommandLine::report_file, true),
+      file("html", "FILE.html", "write a page: the mesh to turn, pictures, counts, times, histograms",
+           &CommandLine::html_file, true),
       file("voronoi", "FILE.ply", "write the cloud with label, distance, witness and seed fields",
            &CommandLine::voronoi_file, true),
       file("save-config", "FILE.ini", "write these options for --config", &CommandLine::config_to_save, false),

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 
+#include "html/report_page.h"
 #include "io/atomic_file.h"
 #include "io/cell_means.h"
 #include "io/vertex_normals.h"
 #include "io/write_mesh.h"
 #include "report_json.h"
 #include "voronoi_table.h"
+
+#include <spdlog/fmt/fmt.h>
 
 #include <optional>
 #include <utility>
@@ -33,12 +36,24 @@ PointTable make_vertices(const CommandLine& command_line, const PointTable& poin
 /** Wide integers are what PLY cannot hold. */
 std::string who_can(const std::string& extension) { return extension == ".ply" ? ".vtp can" : "binary .ply can"; }
 
+void warn_of_page(const std::string& path, const ReportPage& page, std::vector<std::string>& warnings)
+{
+  const std::initializer_list<std::pair<const char*, std::string>> parts = {{"mesh to turn", why_nothing_to_turn()},
+                                                                            {"pictures", page.why_no_pictures},
+                                                                            {"deviation", page.why_no_deviation}};
+  for (const auto& [part, why] : parts) {
+    if (!why.empty()) {
+      warnings.push_back(fmt::format("{}: has no {}: {}", path, part, why));
+    }
+  }
+}
+
 }  // namespace
 
 void check_outputs(const CommandLine& command_line)
 {
-  for (const auto& path :
-       {command_line.output, command_line.report_file, command_line.voronoi_file, command_line.config_to_save}) {
+  for (const auto& path : {command_line.output, command_line.report_file, command_line.html_file,
+                           command_line.voronoi_file, command_line.config_to_save}) {
     if (!path.empty()) {
       check_writable(path);
     }
@@ -52,10 +67,10 @@ void save_config(const CommandLine& command_line)
   file.commit();
 }
 
-std::string save_outputs(const CommandLine& command_line,
-                         const PointTable& points,
-                         Reconstruction& result,
-                         const std::function<void(Report&)>& complete_report)
+std::vector<std::string> save_outputs(const CommandLine& command_line,
+                                      const PointTable& points,
+                                      Reconstruction& result,
+                                      const std::function<void(Report&)>& complete_report)
 {
   AtomicFile mesh_file(command_line.output);
   const std::string extension = output_extension(command_line);
@@ -69,22 +84,36 @@ std::string save_outputs(const CommandLine& command_line,
               command_line.ascii);
     voronoi_file->finish();
   }
+  std::optional<ReportPage> page;
+  if (!command_line.html_file.empty()) {
+    page = make_report_page(command_line, points, vertices, result);
+  }
   complete_report(result.report);
   std::optional<AtomicFile> report_file;
   if (!command_line.report_file.empty()) {
     report_file.emplace(command_line.report_file);
     write_text(*report_file, to_json(result.report));
   }
+  std::optional<AtomicFile> page_file;
+  if (page) {
+    page_file.emplace(command_line.html_file);
+    write_text(*page_file, to_html(*page, command_line, result.report));
+  }
 
   mesh_file.commit();
-  for (auto* file : {&voronoi_file, &report_file}) {
+  for (auto* file : {&voronoi_file, &report_file, &page_file}) {
     if (*file) {
       (*file)->commit();
     }
   }
-  const std::string lost = lost_in_format(extension, vertices, command_line.ascii);
-  return lost.empty() ? ""
-                      : command_line.output + ": " + extension + " cannot hold " + lost + "; " + who_can(extension);
+  std::vector<std::string> warnings;
+  if (const std::string lost = lost_in_format(extension, vertices, command_line.ascii); !lost.empty()) {
+    warnings.push_back(command_line.output + ": " + extension + " cannot hold " + lost + "; " + who_can(extension));
+  }
+  if (page) {
+    warn_of_page(command_line.html_file, *page, warnings);
+  }
+  return warnings;
 }
 
 }  // namespace pds

@@ -7,6 +7,8 @@
 #include <pcl_pds_recon/reconstruction.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace pds
 {
@@ -17,14 +19,14 @@ void check_outputs(const CommandLine& command_line);
 /** \brief Writes the configuration file of --save-config. \throws OutputError */
 void save_config(const CommandLine& command_line);
 
-/** \brief Writes the mesh and, if asked for, the Voronoi cells and the report: either all appear or none.
+/** \brief Writes the mesh and, if asked for, the Voronoi cells, the report and the page: either all appear or none.
  * \param complete_report called when the meshes are written, to enter what is known only then
- * \return what the mesh's format cannot hold, as a sentence; empty if nothing
+ * \return what the mesh's format cannot hold and what the page lacks, each as a sentence
  * \throws OutputError
  */
-[[nodiscard]] std::string save_outputs(const CommandLine& command_line,
-                                       const PointTable& points,
-                                       Reconstruction& result,
-                                       const std::function<void(Report&)>& complete_report);
+[[nodiscard]] std::vector<std::string> save_outputs(const CommandLine& command_line,
+                                                    const PointTable& points,
+                                                    Reconstruction& result,
+                                                    const std::function<void(Report&)>& complete_report);
 
 }  // namespace pds

@@ -134,12 +134,13 @@ void run(const CommandLine& command_line)
 
   progress.start_stage("save", 1 - save_share);
   const Stopwatch since_save;
-  warnings.push_back(save_outputs(command_line, points, result, [&](Report& report) {
+  const std::vector<std::string> losses = save_outputs(command_line, points, result, [&](Report& report) {
     report.seconds.load = load_seconds;
     report.seconds.save = since_save.seconds();
     report.seconds.total = since_start.seconds();
     report.peak_rss_bytes = peak_rss_bytes();
-  }));
+  });
+  warnings.insert(warnings.end(), losses.begin(), losses.end());
   progress.finish();
   for (const std::string& warning : warnings) {
     if (!warning.empty()) {

@@ -47,6 +47,23 @@ TEST(Deviation, OfAShiftedPlaneIsTheShift)
   for (const double distance : found.sample_deviation) ASSERT_NEAR(distance, 0.25, 1e-12);
 }
 
+TEST(SignedDistances, TellTheSideOfEachPoint)
+{
+  const TriangleMesh plane = make_plane(0, 10);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> found =
+      signed_distances(plane, {{0.5, 0.5, 0.1}, {0.25, 0.5, -0.2}, {0.3, nan, 0.3}, {0.5, 0.25, 0}});
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_NEAR(found[0], 0.1, 1e-12);
+  EXPECT_NEAR(found[1], -0.2, 1e-12);
+  EXPECT_TRUE(std::isnan(found[2]));
+  EXPECT_EQ(found[3], 0);
+  for (const double distance : signed_distances(make_sphere(1, 6), make_sphere(1.01, 6).vertices, 3))
+    ASSERT_NEAR(distance, 0.01, within * 0.01);
+  EXPECT_TRUE(signed_distances(plane, {}).empty());
+  EXPECT_THROW(static_cast<void>(signed_distances({}, {{0, 0, 0}})), InvalidInput);
+}
+
 TEST(Deviation, OfAPlaneShiftedSidewaysShowsAtItsRim)
 {
   TriangleMesh shifted = make_plane(0, 10);

@@ -29,6 +29,9 @@ constexpr std::uint32_t code_glb = 0x46546C67;     // "glTF"
 constexpr std::uint32_t code_json = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t code_binary = 0x004E4942;  // "BIN"
 
+// Linear red, green, blue and alpha of a mesh without colours: on white no shading would be seen.
+constexpr std::array<double, 4> clay = {0.55, 0.52, 0.47, 1};
+
 /** The description of the file and the bytes that it describes. */
 class GltfBuilder
 {
@@ -54,8 +57,11 @@ class GltfBuilder
   /** \brief The whole file. */
   [[nodiscard]] std::string finish(const Json& attributes, int indices, const Eigen::Vector3d& translation) const
   {
-    const Json material = {{"doubleSided", true},
-                           {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+    const bool has_colors = attributes.contains("COLOR_0");
+    const std::array<double, 4> color = has_colors ? std::array<double, 4>{1, 1, 1, 1} : clay;
+    const Json material = {
+        {"doubleSided", true},
+        {"pbrMetallicRoughness", {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
     Json node = {{"mesh", 0}};
     if (!translation.isZero(0)) {
       node["translation"] = {translation.x(), translation.y(), translation.z()};
@@ -168,7 +174,7 @@ int add_colors(GltfBuilder& builder, const PointTable& points, ScalarType type)
 
 }  // namespace
 
-void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+std::string make_glb(const PointTable& points, const Triangles& triangles)
 {
   const Eigen::Vector3d origin = find_origin(points);
   GltfBuilder builder;
@@ -183,7 +189,12 @@ void write_glb(AtomicFile& file, const PointTable& points, const Triangles& tria
   if (builder.bytes() > std::numeric_limits<std::uint32_t>::max() / 2) {
     throw OutputError("the mesh is larger than the 4 GiB that glTF allows; write .ply");
   }
-  const std::string bytes = builder.finish(attributes, indices, origin);
+  return builder.finish(attributes, indices, origin);
+}
+
+void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+{
+  const std::string bytes = make_glb(points, triangles);
   file.write(bytes.data(), bytes.size());
 }
 

@@ -12,6 +12,8 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSSAAPass.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 namespace pds
@@ -52,18 +54,42 @@ void save_picture(vtkRenderWindow* window, const std::string& path)
   }
 }
 
-void draw_picture(vtkRenderer* renderer, int width, int height, const std::string& path)
+namespace
+{
+
+vtkSmartPointer<vtkRenderWindow> draw_offscreen(vtkRenderer* renderer, int width, int height)
 {
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkSSAAPass> antialiasing;
   antialiasing->SetDelegatePass(steps);
   renderer->SetPass(antialiasing);
-  vtkNew<vtkRenderWindow> window;
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);
   window->SetSize(width, height);
   window->AddRenderer(renderer);
   window->Render();
-  save_picture(window, path);
+  return window;
+}
+
+}  // namespace
+
+std::string draw_png(vtkRenderer* renderer, int width, int height)
+{
+  const auto window = draw_offscreen(renderer, width, height);
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+void draw_picture(vtkRenderer* renderer, int width, int height, const std::string& path)
+{
+  save_picture(draw_offscreen(renderer, width, height), path);
 }
 
 }  // namespace pds

@@ -24,7 +24,11 @@ void aim_camera(vtkRenderer* renderer, const CameraPlace& place);
  * \throws std::runtime_error if it cannot be written */
 void save_picture(vtkRenderWindow* window, const std::string& path);
 
-/** \brief Draws the scene into a PNG of this size without showing a window; there must be an X display. */
+/** \brief Draws the scene into a PNG of this size without showing a window; there must be an X display.
+ * \return the bytes of the file */
+[[nodiscard]] std::string draw_png(vtkRenderer* renderer, int width, int height);
+
+/** \brief Likewise into a file. \throws std::runtime_error if it cannot be written */
 void draw_picture(vtkRenderer* renderer, int width, int height, const std::string& path);
 
 }  // namespace pds

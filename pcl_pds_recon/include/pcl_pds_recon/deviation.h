@@ -65,6 +65,18 @@ struct Deviation
                                           const TriangleMesh& reference,
                                           const DeviationOptions& options = {});
 
+/** \brief Signed distance of each point from the mesh: positive outside, NaN if the point is not finite.
+ *
+ * At the rim of an open mesh the side has little meaning. The result is the same for any number of threads.
+ * O((points + faces) log faces).
+ * \param mesh must have a face with an area
+ * \param threads 0 = all cores
+ * \throws InvalidInput if \a mesh is not as said
+ */
+[[nodiscard]] std::vector<double> signed_distances(const TriangleMesh& mesh,
+                                                   const std::vector<Eigen::Vector3d>& points,
+                                                   unsigned threads = 0);
+
 /** \brief Number of pairs of faces that meet in more than a vertex or an edge that they share. Exact.
  *
  * Corners are the same if their coordinates are; faces without area are passed over.

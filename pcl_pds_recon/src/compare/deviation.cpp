@@ -219,4 +219,23 @@ Deviation measure_deviation(const TriangleMesh& mesh, const TriangleMesh& refere
   return result;
 }
 
+std::vector<double> signed_distances(const TriangleMesh& mesh,
+                                     const std::vector<Eigen::Vector3d>& points,
+                                     unsigned threads)
+{
+  require_area(mesh, "the mesh");
+  const Parallel parallel(threads);
+  const SurfaceTree tree(mesh, parallel.threads());
+  const Outside outside(mesh);
+  const auto point = [&points](std::size_t i) -> const Eigen::Vector3d& { return points[i]; };
+  const Hits hits = find_closest(tree, points.size(), point, parallel);
+  std::vector<double> result(points.size(), std::nan(""));
+  parallel.each(points.size(), block, [&](std::size_t i) {
+    if (hits[i].face != SurfaceTree::none)
+      result[i] =
+          std::copysign(std::sqrt(hits[i].squared_distance), outside.direction(hits[i]).dot(points[i] - hits[i].point));
+  });
+  return result;
+}
+
 }  // namespace pds
