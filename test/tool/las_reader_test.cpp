@@ -97,6 +97,60 @@ TEST(LasReader, gives_coordinates_the_doubles_that_the_standard_defines)
   }
 }
 
+/** A record of format 0 with these bytes after it. */
+std::string with_extra(const std::string& extra)
+{
+  std::string record = las_record(1, 2, 3, 2);
+  record.resize(20, '\0');
+  return record + extra;
+}
+
+TEST(LasReader, makes_fields_of_extra_bytes)
+{
+  LasFile file(2, 0, 20 + 1 + 8 + 4 + 2 + 8);
+  file.describe_extra(2, 0, "Amplitude", 0, 0);
+  file.describe_extra(7, 0, "Pulse count", 0, 0);
+  file.describe_extra(9, 0, "intensity", 0, 0);
+  file.describe_extra(4, 8 + 16, "HeightAboveGround", 0.01, -5);
+  file.describe_extra(10, 0, "", 0.5, 7);
+  file.add(with_extra(bytes_of(std::int8_t{-3}) + bytes_of((std::uint64_t{1} << 63) + 1) + bytes_of(0.1F) +
+                      bytes_of(std::int16_t{-1234}) + bytes_of(0.3)));
+  const PointTable table = read(file.bytes());
+  EXPECT_EQ(table.not_read, "");
+  EXPECT_EQ(values_of(table, 0, {"amplitude", "intensity", "intensity_", "height_above_ground", "extra"}),
+            (Values{-3, 77, static_cast<double>(0.1F), 0.01 * -1234 - 5, 0.3}));
+  const Field& wide = *table.find("pulse_count");
+  EXPECT_EQ(wide.type, ScalarType::uint64);
+  std::uint64_t count = 0;
+  std::memcpy(&count, table.record(0) + wide.offset, sizeof count);
+  EXPECT_EQ(count, (std::uint64_t{1} << 63) + 1);
+  EXPECT_EQ(table.find("height_above_ground")->type, ScalarType::float64);
+}
+
+TEST(LasReader, says_which_extra_bytes_it_does_not_read_and_finds_those_behind_them)
+{
+  LasFile file(2, 0, 20 + 3 + 4 + 1);
+  file.describe_extra(0, 3, "raw", 0, 0);
+  file.describe_extra(13, 0, "array of two ushorts", 0, 0);
+  file.describe_extra(1, 0, "last", 0, 0);
+  file.add(with_extra("abc1234" + bytes_of(std::uint8_t{9})));
+  const PointTable table = read(file.bytes());
+  EXPECT_EQ(table.not_read, "some of the extra bytes");
+  EXPECT_EQ(values_of(table, 0, {"last"}), Values{9});
+}
+
+TEST(LasReader, does_not_believe_descriptions_of_bytes_that_are_not_there)
+{
+  LasFile file(2, 0, 22);
+  file.describe_extra(5, 0, "four bytes", 0, 0);
+  file.add(with_extra("ab"));
+  EXPECT_NE(complaint_about(file.bytes()).find("more extra bytes"), std::string::npos);
+  LasFile without(2, 0, 22);
+  without.add(with_extra("ab"));
+  without.set(100, std::uint32_t{4000000000});
+  EXPECT_NE(complaint_about(without.bytes()).find("reach into the points"), std::string::npos);
+}
+
 TEST(LasReader, says_what_it_does_not_read)
 {
   LasFile with_extra_bytes(4, 6, 33);

@@ -35,6 +35,21 @@ class LasFile
     std::memcpy(header_.data() + place, &number, sizeof number);
   }
 
+  /** \brief Describes a number in the extra bytes, in the order in which they lie there.
+   * \param options bit 3: it has a scale, bit 4: an offset; of type 0 the bytes */
+  void describe_extra(std::uint8_t type, std::uint8_t options, const std::string& name, double scale, double offset)
+  {
+    descriptions_.resize(descriptions_.size() + 192, '\0');
+    char* description = descriptions_.data() + descriptions_.size() - 192;
+    description[2] = static_cast<char>(type);
+    description[3] = static_cast<char>(options);
+    std::memcpy(description + 4, name.data(), name.size());
+    std::memcpy(description + 112, &scale, sizeof scale);
+    std::memcpy(description + 136, &offset, sizeof offset);
+    set(96, static_cast<std::uint32_t>(header_.size() + 54 + descriptions_.size()));
+    set(100, std::uint32_t{1});
+  }
+
   /** \brief Appends a record; bytes that are missing are zero. */
   void add(std::string record)
   {
@@ -49,10 +64,22 @@ class LasFile
     }
   }
 
-  [[nodiscard]] std::string bytes() const { return header_ + records_; }
+  [[nodiscard]] std::string bytes() const
+  {
+    if (descriptions_.empty()) {
+      return header_ + records_;
+    }
+    std::string head(54, '\0');
+    head.replace(2, 9, "LASF_Spec");
+    head[18] = 4;
+    const auto length = static_cast<std::uint16_t>(descriptions_.size());
+    std::memcpy(head.data() + 20, &length, sizeof length);
+    return header_ + head + descriptions_ + records_;
+  }
 
  private:
   std::string header_;
+  std::string descriptions_;
   std::string records_;
   std::uint32_t count_ = 0;
 };

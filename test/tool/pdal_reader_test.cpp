@@ -37,11 +37,14 @@ class PdalReader : public TemporaryDirectory
   {
     pdal::PipelineManager pipeline;
     pipeline.setLog(pdal::Log::makeLog("", "devnull"));
-    pdal::Stage& reader = pipeline.makeReader(path("cloud.las"), "readers.las");
+    pdal::Options reader_options;
+    reader_options.add("use_eb_vlr", true);
+    pdal::Stage& reader = pipeline.makeReader(path("cloud.las"), "readers.las", reader_options);
     pdal::Options options;
     options.add("forward", "all");
     if (driver == std::string("writers.las")) {
       options.add("compression", true);
+      options.add("extra_dims", "all");
     }
     pipeline.makeWriter(path(name), driver, reader, options);
     pipeline.prepare();
@@ -76,6 +79,25 @@ TEST_F(PdalReader, gives_of_laz_what_our_reader_gives_of_the_same_las_to_the_las
   }
   EXPECT_GE(common.size(), 16U) << "all but some flags, which PDAL names by its version";
   EXPECT_EQ(values(laz, common), values(las, common));
+}
+
+TEST_F(PdalReader, gives_extra_bytes_the_names_that_our_reader_gives_them)
+{
+  LasFile file(2, 0, 20 + 2 + 4);
+  file.describe_extra(4, 8 + 16, "HeightAboveGround", 0.01, -5);
+  file.describe_extra(9, 0, "pulse width", 0, 0);
+  for (std::int16_t i = 0; i < 5000; ++i) {
+    std::string record = las_record(i, 2 * i, 3, 2);
+    record.resize(20, '\0');
+    file.add(record + bytes_of(i) + bytes_of(0.1F * static_cast<float>(i)));
+  }
+  write("cloud.las", file.bytes());
+  const PointTable las = read_las(ByteSource::from_file(path("cloud.las")), Parallel(1));
+  ASSERT_NO_FATAL_FAILURE(convert("cloud.laz", "writers.las"));
+  const PointTable laz = read_points(path("cloud.laz"), Parallel(1));
+  const std::vector<Field> fields = {{"height_above_ground"}, {"pulse_width"}};
+  ASSERT_TRUE(laz.find("height_above_ground") && laz.find("pulse_width")) << describe_fields(laz);
+  EXPECT_EQ(values(laz, fields), values(las, fields));
 }
 
 TEST_F(PdalReader, reads_copc)

@@ -2,6 +2,7 @@
 #include "io/las_reader.h"
 
 #include "io/color_depth.h"
+#include "io/las_extra_bytes.h"
 #include "io/las_header.h"
 #include "io/las_layout.h"
 #include "io/record_reader.h"
@@ -76,7 +77,7 @@ ColorDepth survey_colors(const ByteSource& source,
   return depth;
 }
 
-PointTable make_table(const LasLayout& layout, std::uint16_t divisor, std::size_t size)
+std::vector<Field> standard_fields(const LasLayout& layout, std::uint16_t divisor)
 {
   std::vector<Field> fields = {{"x", ScalarType::float64}, {"y", ScalarType::float64}, {"z", ScalarType::float64}};
   for (const Column& column : layout.columns) {
@@ -93,7 +94,16 @@ PointTable make_table(const LasLayout& layout, std::uint16_t divisor, std::size_
       fields.push_back({name, divisor == 0 ? ScalarType::uint16 : ScalarType::uint8});
     }
   }
-  return PointTable(std::move(fields), size);
+  return fields;
+}
+
+std::vector<std::string> names_of(const std::vector<Field>& fields)
+{
+  std::vector<std::string> names;
+  for (const Field& field : fields) {
+    names.push_back(field.name);
+  }
+  return names;
 }
 
 /** Calls \a convert for every record of a block and stores what it gives as the field \a name. */
@@ -150,13 +160,22 @@ void fill_colors(PointTable& table, const LasLayout& layout, std::uint16_t divis
   }
 }
 
-std::string what_is_not_read(const LasHeader& header)
+void fill_scaled(PointTable& table, const ExtraScalar& scalar, const Block& block)
+{
+  visit_scalar(scalar.column.type, [&](auto zero) {
+    fill(table, scalar.column.name, block, [&](const std::byte* record) {
+      return scalar.scale * static_cast<double>(get<decltype(zero)>(record + scalar.column.offset)) + scalar.offset;
+    });
+  });
+}
+
+std::string what_is_not_read(const LasHeader& header, const ExtraBytes& extra)
 {
   const bool has_waveforms = header.point_format == 4 || header.point_format == 5 || header.point_format >= 9;
-  const bool has_extra_bytes = header.record_bytes > las_standard_bytes(header.point_format);
   std::string names = has_waveforms ? "waveforms" : "";
-  if (has_extra_bytes) {
-    names += has_waveforms ? " and extra bytes" : "extra bytes";
+  if (!extra.is_complete) {
+    names += has_waveforms ? " and " : "";
+    names += extra.scalars.empty() ? "extra bytes" : "some of the extra bytes";
   }
   return names;
 }
@@ -169,15 +188,28 @@ PointTable read_las(const ByteSource& source, const Parallel& parallel)
   const LasLayout layout = las_layout(header.point_format);
   const std::uint16_t divisor =
       layout.has_color() ? survey_colors(source, header, layout.color_at, parallel).divisor() : std::uint16_t{0};
-  PointTable table = make_table(layout, divisor, static_cast<std::size_t>(header.count));
-  table.not_read = what_is_not_read(header);
+  std::vector<Field> fields = standard_fields(layout, divisor);
+  const ExtraBytes extra = read_extra_bytes(source, header, names_of(fields));
   RecordLayout plain;
   plain.columns = layout.columns;
   plain.record_bytes = header.record_bytes;
+  for (const ExtraScalar& scalar : extra.scalars) {
+    fields.push_back({scalar.column.name, scalar.is_scaled ? ScalarType::float64 : scalar.column.type});
+    if (!scalar.is_scaled) {
+      plain.columns.push_back(scalar.column);
+    }
+  }
+  PointTable table(std::move(fields), static_cast<std::size_t>(header.count));
+  table.not_read = what_is_not_read(header, extra);
   for_each_block(source, header, parallel, [&](const Block& block) {
     fill_coordinates(table, header, block);
     copy_records(block.records, plain, block.size(), table, block.begin);
     fill_bits(table, layout, block);
+    for (const ExtraScalar& scalar : extra.scalars) {
+      if (scalar.is_scaled) {
+        fill_scaled(table, scalar, block);
+      }
+    }
     if (layout.scan_angle_at != 0) {
       fill_scan_angle(table, layout, block);
     }

@@ -14,7 +14,8 @@ namespace pds
  * Coordinates are doubles, scale times integer plus offset, as the standard defines them. The other names are PDAL's in
  * snake case: intensity, return_number, number_of_returns, classification, scan_angle (degrees), user_data,
  * point_source_id, gps_time, red green blue, infrared, and a byte for each flag. Colours become bytes if that loses
- * nothing, as in files that store 8 bits in 16.
+ * nothing, as in files that store 8 bits in 16. Extra bytes become fields of their names in snake case, doubles if they
+ * have a scale or an offset.
  * Debian 12 has no library that reads LAS.
  * \throws InvalidInput if the file is not a LAS file, is compressed, cut short or damaged
  */

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pdal_reader.h"
 
+#include "io/snake_case.h"
+
 #include <pdal/PipelineManager.hpp>
 #include <pdal/PointView.hpp>
+#include <pdal/StageFactory.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -54,15 +56,7 @@ std::string field_name(const std::string& name)
       return own_name;
     }
   }
-  std::string snake;
-  for (const char letter : name) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (std::isupper(code) != 0 && !snake.empty() && snake.back() != '_') {
-      snake += '_';
-    }
-    snake += std::isspace(code) != 0 ? '_' : static_cast<char>(std::tolower(code));
-  }
-  return snake;
+  return snake_case(name);
 }
 
 PointTable make_table(const pdal::PointLayout& layout, std::size_t size)
@@ -97,7 +91,12 @@ PointTable read(const std::string& path)
 {
   pdal::PipelineManager pipeline;
   pipeline.setLog(pdal::Log::makeLog("", "devnull"));  // what goes wrong is reported by the caller, in one line
-  pipeline.makeReader(path, "");
+  const std::string driver = pdal::StageFactory::inferReaderDriver(path);
+  pdal::Options options;
+  if (driver == "readers.las") {
+    options.add("use_eb_vlr", true);  // extra bytes before version 1.4 as well
+  }
+  pipeline.makeReader(path, driver, options);
   pipeline.prepare();
   pipeline.execute();
   const pdal::PointLayout& layout = *pipeline.pointTable().layout();
