@@ -188,13 +188,7 @@ CommandLine interpret(const po::variables_map& arguments)
   if (arguments.count("quiet") != 0 && arguments.count("verbose") != 0) {
     throw UsageError("-q and -v exclude each other; give one");
   }
-  if (arguments.count("config") != 0) {
-    const auto& path = arguments["config"].as<std::string>();
-    apply(parse_config(path), path + ": ", command_line);
-  }
-  apply(arguments, "", command_line);
-  let_factor_win(arguments, command_line);
-  validate_options(command_line.options);
+  take_options(arguments, command_line);
   take_files(arguments, command_line);
   check_output_names(command_line);
   check_files_differ(command_line);
@@ -206,6 +200,17 @@ CommandLine interpret(const po::variables_map& arguments)
 std::string output_extension(const CommandLine& command_line)
 {
   return command_line.output == standard_stream ? ".ply" : file_extension(command_line.output);
+}
+
+void take_options(const po::variables_map& arguments, CommandLine& command_line)
+{
+  if (arguments.count("config") != 0) {
+    const auto& path = arguments["config"].as<std::string>();
+    apply(parse_config(path), path + ": ", command_line);
+  }
+  apply(arguments, "", command_line);
+  let_factor_win(arguments, command_line);
+  validate_options(command_line.options);
 }
 
 CommandLine parse_command_line(int argc, const char* const* argv)

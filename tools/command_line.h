@@ -8,6 +8,11 @@
 #include <string>
 #include <vector>
 
+namespace boost::program_options
+{
+class variables_map;
+}
+
 namespace pds
 {
 
@@ -48,6 +53,11 @@ struct UsageError : std::runtime_error
  * \throws UsageError
  */
 [[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
+
+/** \brief Takes over the options of option_table() from these arguments and the configuration file that they name.
+ * \throws UsageError
+ */
+void take_options(const boost::program_options::variables_map& arguments, CommandLine& command_line);
 
 /** \brief A configuration file that makes the same run of any input: every option with its value.
  * \throws UsageError if a file name cannot stand in a configuration file

@@ -16,22 +16,6 @@ namespace
 
 std::string stream_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
 
-PointTable load_file(const std::string& path, const CommandLine& command_line, std::vector<std::string>& warnings)
-{
-  PointTable points = read_points(path, Parallel(command_line.options.threads));
-  if (!points.not_read.empty()) {
-    warnings.push_back(stream_name(path) + ": " + points.not_read + " are left out");
-  }
-  if (command_line.classes.empty()) {
-    return points;
-  }
-  try {
-    return select_classes(std::move(points), command_line.classes);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(stream_name(path) + ": " + error.what());
-  }
-}
-
 /** What merging does to the fields of the clouds. */
 void warn_of_merge(const std::vector<std::string>& names,
                    const std::vector<PointTable>& clouds,
@@ -61,17 +45,44 @@ void warn_of_merge(const std::vector<std::string>& names,
 
 }  // namespace
 
+PointTable select_points(const std::string& path,
+                         PointTable points,
+                         const CommandLine& command_line,
+                         std::vector<std::string>& warnings)
+{
+  if (!points.not_read.empty()) {
+    warnings.push_back(stream_name(path) + ": " + points.not_read + " are left out");
+  }
+  if (command_line.classes.empty()) {
+    return points;
+  }
+  try {
+    return select_classes(std::move(points), command_line.classes);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(stream_name(path) + ": " + error.what());
+  }
+}
+
+PointTable merge_clouds(const std::vector<std::string>& paths,
+                        std::vector<PointTable> clouds,
+                        const CommandLine& command_line,
+                        std::vector<std::string>& warnings)
+{
+  if (clouds.size() == 1) {
+    return std::move(clouds.front());
+  }
+  warn_of_merge(paths, clouds, warnings);
+  return merge_points(std::move(clouds), Parallel(command_line.options.threads));
+}
+
 PointTable load_points(const CommandLine& command_line, std::vector<std::string>& warnings)
 {
   std::vector<PointTable> clouds;
   for (const std::string& path : command_line.inputs) {
-    clouds.push_back(load_file(path, command_line, warnings));
+    PointTable points = read_points(path, Parallel(command_line.options.threads));
+    clouds.push_back(select_points(path, std::move(points), command_line, warnings));
   }
-  if (clouds.size() == 1) {
-    return std::move(clouds.front());
-  }
-  warn_of_merge(command_line.inputs, clouds, warnings);
-  return merge_points(std::move(clouds), Parallel(command_line.options.threads));
+  return merge_clouds(command_line.inputs, std::move(clouds), command_line, warnings);
 }
 
 std::string input_name(const CommandLine& command_line)

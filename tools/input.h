@@ -16,6 +16,21 @@ namespace pds
  */
 [[nodiscard]] PointTable load_points(const CommandLine& command_line, std::vector<std::string>& warnings);
 
+/** \brief Of the points of a file those that the command line asks for.
+ * \param warnings likewise
+ * \throws InvalidInput naming the file
+ */
+[[nodiscard]] PointTable select_points(const std::string& path,
+                                       PointTable points,
+                                       const CommandLine& command_line,
+                                       std::vector<std::string>& warnings);
+
+/** \brief The points of all files, merged if there are several. \param warnings likewise */
+[[nodiscard]] PointTable merge_clouds(const std::vector<std::string>& paths,
+                                      std::vector<PointTable> clouds,
+                                      const CommandLine& command_line,
+                                      std::vector<std::string>& warnings);
+
 /** \brief The inputs as messages name them: the first one and how many more there are. */
 [[nodiscard]] std::string input_name(const CommandLine& command_line);
 

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <new>
 
@@ -20,48 +21,47 @@ namespace pds
 namespace
 {
 
-/** \brief The layers that say most about what is there. */
-std::vector<Layer> first_layers(const ViewData& data)
-{
-  if (!data.face_deviation.empty()) {
-    return {Layer::deviation, Layer::loops};
-  }
-  if (!data.mesh.faces.empty()) {
-    return {Layer::mesh, Layer::loops};
-  }
-  return {Layer::cloud};
-}
+constexpr const char* program = "pcl_pds_viewer: ";
 
+/** \brief A window waits for layers that a reconstruction is to bring; a picture cannot. */
 void show_layers(View& view, const ViewerOptions& options)
 {
   for (const Layer layer : options.layers.value_or(first_layers(view.data()))) {
-    if (!view.show(layer, true) && options.layers && layer != Layer::loops) {
-      throw InvalidInput(options.input +
-                         ": there is nothing to show in a layer of --show; cells, seeds, disks and "
-                         "witnesses need a cloud, deviation a REFERENCE");
+    const bool is_there = view.show(layer, true);
+    if (!is_there && options.layers && layer != Layer::loops && !options.wants_window()) {
+      throw InvalidInput(options.inputs.front() +
+                         ": there is nothing to show in a layer of --show; cells, seeds, disks, witnesses and graph "
+                         "need a cloud alone, deviation a --reference");
     }
   }
-  view.shade_flat(options.flat);
+  view.shade(options.shading);
   view.aim(options.camera);
+  if (options.pose) {
+    view.set_pose(*options.pose);
+  }
 }
 
-/** \brief Frames per second while the view moves. */
-double measure_frames(View& view, const ViewerOptions& options)
+/** \brief Frames per second while the view moves, and what they cost all processors, which other programs change less.
+ */
+std::string measure_frames(View& view, const ViewerOptions& options)
 {
   vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
   window->SetSize(options.width, options.height);
   window->SetMultiSamples(0);
   window->AddRenderer(view.renderer());
   view.coarsen(true);
   window->Render();  // the first one also loads
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t processors = std::clock();
   for (int frame = 0; frame < options.frames; ++frame) {
     constexpr double step = 3;  // degrees
     view.renderer()->GetActiveCamera()->Azimuth(step);
     window->Render();
   }
-  return options.frames / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double processor_seconds = static_cast<double>(std::clock() - processors) / CLOCKS_PER_SEC;
+  return fmt::format("{:.1f} frames per second, {:.0f} ms of processor time each\n", options.frames / seconds.count(),
+                     1000 * processor_seconds / options.frames);
 }
 
 void run(const ViewerOptions& options)
@@ -69,13 +69,17 @@ void run(const ViewerOptions& options)
   if (!options.screenshot.empty()) {
     check_writable(options.screenshot);
   }
-  const ViewSource source = load_source(options);
-  ViewData data = make_view_data(source, options.reconstruction);
-  const bool has_window = options.screenshot.empty() && options.frames == 0;
   const char* display = std::getenv("DISPLAY");
-  if (has_window && (display == nullptr || *display == '\0')) {
+  if (options.wants_window() && (display == nullptr || *display == '\0')) {
     throw std::runtime_error("no X display for a window; set DISPLAY, or write a picture with --screenshot");
   }
+  const ViewSource source = load_source(options);
+  for (const std::string& warning : source.warnings) {
+    std::cerr << program << warning << std::endl;
+  }
+  const bool is_cloud_enough = options.layers && *options.layers == std::vector<Layer>{Layer::cloud};
+  const bool waits = source.is_reconstructed() && (options.wants_window() || is_cloud_enough);
+  ViewData data = waits ? make_cloud_data(source) : make_view_data(source, options.tool.options);
   const PrivateXServer server;
   const VtkComplaints complaints;
   View view(std::move(data));
@@ -84,9 +88,9 @@ void run(const ViewerOptions& options)
     draw_picture(view.renderer(), options.width, options.height, options.screenshot);
   }
   if (options.frames > 0) {
-    std::cout << fmt::format("{:.1f} frames per second\n", measure_frames(view, options));
+    std::cout << measure_frames(view, options);
   }
-  if (has_window) {
+  if (options.wants_window()) {
     ViewerWindow(view, source, options).run();
   }
 }
@@ -96,7 +100,7 @@ constexpr int exit_bad_usage = 2;
 
 int fail(int status, const std::string& message)
 {
-  std::cerr << "pcl_pds_viewer: " << message << std::endl;
+  std::cerr << program << message << std::endl;
   return status;
 }
 

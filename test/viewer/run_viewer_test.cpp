@@ -33,8 +33,40 @@ TEST_F(RunViewer, draws_a_single_triangle_and_its_deviation)
   write("one.obj", one_triangle);
   write("cloud.xyz", "0.2 0.2 1\n");
   EXPECT_EQ(view("--screenshot a.png --size 64x64 one.obj"), 0) << errors();
-  EXPECT_EQ(view("--screenshot b.png --size 64x64 one.obj cloud.xyz"), 0) << errors();
+  EXPECT_EQ(view("--screenshot b.png --size 64x64 --reference cloud.xyz one.obj"), 0) << errors();
   EXPECT_NE(read("a.png"), read("b.png"));
+}
+
+TEST_F(RunViewer, merges_clouds_and_sets_meshes_beside_each_other)
+{
+  const std::string small = " --size 200x150 --screenshot ";
+  write("left.xyz", sphere_rows(4000, 1, 0, 0));
+  write("right.xyz", sphere_rows(4000, 1, 3, 0));
+  ASSERT_EQ(view("--show mesh" + small + "one.png left.xyz"), 0) << errors();
+  ASSERT_EQ(view("--show mesh" + small + "two.png left.xyz right.xyz"), 0) << errors();
+  EXPECT_NE(read("one.png"), read("two.png"));
+  write("one.obj", one_triangle);
+  write("two.obj", one_triangle);
+  ASSERT_EQ(view("--show mesh" + small + "mesh.png one.obj"), 0) << errors();
+  ASSERT_EQ(view("--show mesh" + small + "meshes.png one.obj two.obj"), 0) << errors();
+  EXPECT_NE(read("mesh.png"), read("meshes.png"));
+  ASSERT_EQ(view("--show cloud,mesh" + small + "both.png one.obj left.xyz"), 0) << errors();
+  EXPECT_EQ(view("--show cells" + small + "none.png one.obj left.xyz"), 1);
+  EXPECT_TRUE(complained_of("there is nothing to show"));
+}
+
+TEST_F(RunViewer, takes_the_command_tools_options)
+{
+  write("cloud.xyz", sphere_rows(4000, 1, 0, 0));
+  write("coarse.ini", "radius-factor = 6\n");
+  const std::string edges = "--show mesh,edges --size 200x150 --screenshot ";
+  ASSERT_EQ(view(edges + "a.png cloud.xyz"), 0) << errors();
+  ASSERT_EQ(view(edges + "b.png -f 6 cloud.xyz"), 0) << errors();
+  ASSERT_EQ(view(edges + "c.png --config coarse.ini cloud.xyz"), 0) << errors();
+  EXPECT_NE(read("a.png"), read("b.png"));
+  EXPECT_EQ(read("b.png"), read("c.png"));
+  ASSERT_EQ(view(edges + "d.png --seed 7 cloud.xyz"), 0) << errors();
+  EXPECT_NE(read("a.png"), read("d.png"));
 }
 
 TEST_F(RunViewer, names_what_is_wrong_in_one_line)
@@ -46,7 +78,8 @@ TEST_F(RunViewer, names_what_is_wrong_in_one_line)
         "0 0 0\n");
   write("nan.xyz", "nan nan nan\n");
   const auto before = files();
-  for (const char* bad : {"empty.ply", "missing.ply", "one.las", "one.obj empty.ply", "one.obj nan.xyz"}) {
+  for (const char* bad : {"empty.ply", "missing.ply", "one.las", "one.obj empty.ply", "--reference empty.ply one.obj",
+                          "--reference nan.xyz one.obj"}) {
     EXPECT_EQ(view(std::string("--screenshot a.png ") + bad), 1) << bad;
     EXPECT_TRUE(complained_of("")) << bad;
   }
@@ -68,7 +101,8 @@ TEST_F(RunViewer, explains_its_usage)
   EXPECT_NE(output().find("Usage: pcl_pds_viewer"), std::string::npos);
   EXPECT_EQ(view("--version"), 0);
   for (const char* wrong :
-       {"", "a b c", "--show nothing one.obj", "--size 5 one.obj", "--size 0x0 one.obj", "--camera 1,2 one.obj",
+       {"", "--show nothing one.obj", "--shading round one.obj", "--config missing.ini one.obj",
+        "--radius-factor x one.obj", "--size 5 one.obj", "--size 0x0 one.obj", "--camera 1,2 one.obj",
         "--camera 0,95,1 one.obj", "--screenshot a.jpg one.obj", "-k 1 one.obj", "--nonsense one.obj"}) {
     EXPECT_EQ(view(wrong), 2) << wrong;
     EXPECT_TRUE(complained_of("")) << wrong;

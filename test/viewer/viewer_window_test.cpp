@@ -1,92 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drives the real window in a private Xvfb and looks at what is on the screen.
-#include "viewer/viewer_window.h"
-#include "meshes.h"
-#include "viewer/private_x_server.h"
-
-#include <gtest/gtest.h>
+// Drives the window in a private Xvfb and looks at what it draws.
+#include "viewer/keys.h"
+#include "window_testing.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
-#include <thread>
+#include <cmath>
 
 #include <vtkCamera.h>
-#include <vtkUnsignedCharArray.h>
 
 namespace pds
 {
 namespace
 {
-
-using Pixels = std::vector<unsigned char>;
-
-/** \brief The window with the points of a sphere and their reconstruction, and a sphere a little larger as reference.
- */
-class ViewerWindowTest : public testing::Test
-{
- protected:
-  ViewerWindowTest() : source_(make_source()), view_(make_view_data(source_, Options()))
-  {
-    view_.show(Layer::mesh, true);
-    view_.aim({});
-    options_.width = 300;
-    options_.height = 300;
-    window_ = std::make_unique<ViewerWindow>(view_, source_, options_);
-    window_->open();
-  }
-
-  static ViewSource make_source()
-  {
-    const TriangleMesh sphere = make_sphere(1, 5);
-    PointTable table({{"x", ScalarType::float64}, {"y", ScalarType::float64}, {"z", ScalarType::float64}});
-    table.resize(sphere.vertices.size());
-    for (std::size_t i = 0; i < table.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        table.set_value(i, table.fields()[k], sphere.vertices[i][static_cast<Eigen::Index>(k)]);
-    return {MeshFile{std::move(table), {}}, true, make_sphere(1.1, 4)};
-  }
-
-  /** \brief Presses a key as the X server reports it. */
-  void press(char key, int x = 150, int y = 150)
-  {
-    vtkRenderWindowInteractor* interactor = window_->interactor();
-    interactor->SetEventInformation(x, y, 0, 0, key, 0, nullptr);
-    interactor->InvokeEvent(vtkCommand::CharEvent, nullptr);
-  }
-
-  Pixels pixels()
-  {
-    window_->window()->Render();
-    vtkNew<vtkUnsignedCharArray> data;
-    window_->window()->GetPixelData(0, 40, 299, 299, 0, data);  // above the line of text
-    return {data->GetPointer(0), data->GetPointer(0) + data->GetNumberOfValues()};
-  }
-
-  /** \brief Waits for a reconstruction, as the window does. */
-  void wait()
-  {
-    while (window_->is_busy()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      window_->poll();
-    }
-  }
-
-  PrivateXServer server_;
-  ViewSource source_;
-  View view_;
-  ViewerOptions options_;
-  std::unique_ptr<ViewerWindow> window_;
-};
-
-std::size_t count_if_pixel(const Pixels& pixels, bool (*test)(int red, int green, int blue))
-{
-  std::size_t count = 0;
-  for (std::size_t i = 0; i + 2 < pixels.size(); i += 3) count += test(pixels[i], pixels[i + 1], pixels[i + 2]) ? 1 : 0;
-  return count;
-}
-
-bool is_drawn(int red, int green, int blue) { return red + green + blue < 3 * 250; }
 
 TEST_F(ViewerWindowTest, EveryLayerChangesThePictureAndGoesAgain)
 {
@@ -123,37 +48,82 @@ TEST_F(ViewerWindowTest, TheMeshTakesTurnsWithItsDeviation)
   EXPECT_GT(count_if_pixel(pixels(), [](int r, int, int b) { return b > r + 40; }), 10000U);
 }
 
-TEST_F(ViewerWindowTest, HelpAndShadingAreDrawn)
+TEST_F(ViewerWindowTest, HelpListsEveryKeyAndGoesAgain)
 {
+  const std::string help = key_help();
+  for (const LayerName& layer : layer_names)
+    EXPECT_NE(help.find(std::string("  ") + layer.key + "        " + layer.name), std::string::npos) << layer.name;
   const Pixels before = pixels();
   press('h');
-  const Pixels with_help = pixels();
-  EXPECT_NE(with_help, before);
-  press('h');
-  EXPECT_EQ(pixels(), before);
-  press('f');
   EXPECT_NE(pixels(), before);
-  press('f');
+  press('h');
   EXPECT_EQ(pixels(), before);
 }
 
-TEST_F(ViewerWindowTest, ThePointerReadsTheVertexUnderIt)
+TEST_F(ViewerWindowTest, FacesAreSmoothFlatOrWireframe)
+{
+  const Pixels smooth = pixels();
+  press('f');
+  const Pixels flat = pixels();
+  EXPECT_NE(flat, smooth);
+  EXPECT_EQ(count_if_pixel(flat, is_drawn), count_if_pixel(smooth, is_drawn));
+  press('f');
+  EXPECT_LT(count_if_pixel(pixels(), is_drawn), count_if_pixel(smooth, is_drawn));  // one sees through it
+  press('f');
+  EXPECT_EQ(pixels(), smooth);
+}
+
+TEST_F(ViewerWindowTest, ThePointerReadsTheVertexUnderItAndMarksIt)
 {
   press('p');
   for (const char* part : {"vertex ", "input point ", "cell of ", "deviation -0.", "x ", "z "})
     EXPECT_NE(window_->status().find(part), std::string::npos) << window_->status();
+  EXPECT_EQ(window_->status().find("cell of 0 "), std::string::npos) << window_->status();
+  EXPECT_GT(count_if_pixel(pixels(), is_mark), 20U);
   press('p', 2, 298);
   EXPECT_EQ(window_->status(), "nothing there");
+  EXPECT_EQ(count_if_pixel(pixels(), is_mark), 0U);
 }
 
-TEST_F(ViewerWindowTest, TheCameraIsSavedAndRestored)
+TEST_F(ViewerWindowTest, ThePointerReadsAPointWhereOnlyPointsAreShown)
 {
+  press('m');
+  press('s');
+  press('l');
+  int seed_x = 0;
+  for (int x = 140; x < 160 && seed_x == 0; ++x)  // the sphere's points are not everywhere
+    if (view_.renderer()->GetZ(x, 150) < 1) seed_x = x;
+  ASSERT_NE(seed_x, 0);
+  press('p', seed_x, 150);
+  EXPECT_EQ(window_->status().rfind("input point ", 0), 0U) << window_->status();
+  EXPECT_NE(window_->status().find(", of seed "), std::string::npos) << window_->status();
+}
+
+TEST_F(ViewerWindowTest, TheCameraIsSavedRestoredAndPrintedForAnotherDay)
+{
+  view_.renderer()->GetActiveCamera()->Azimuth(20);
+  view_.renderer()->GetActiveCamera()->Zoom(1.2);
+  testing::internal::CaptureStdout();
   press('K');
+  const std::string printed = testing::internal::GetCapturedStdout();
   const Pixels before = pixels();
   view_.renderer()->GetActiveCamera()->Azimuth(40);
   EXPECT_NE(pixels(), before);
   press('k');
   EXPECT_EQ(pixels(), before);
+
+  ASSERT_EQ(printed.rfind("--camera ", 0), 0U) << printed;
+  const std::string numbers = printed.substr(9, printed.size() - 10);
+  const char* arguments[] = {"pcl_pds_viewer", "--camera", numbers.c_str(), "a.ply"};
+  const ViewerOptions another_day = parse_viewer_options(4, arguments);
+  ASSERT_TRUE(another_day.pose) << printed;
+  view_.renderer()->GetActiveCamera()->Elevation(30);
+  view_.set_pose(*another_day.pose);
+  // A sum with the centre may round: no more than a few pixels at the rim may notice.
+  const Pixels again = pixels();
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < again.size(); ++i) different += again[i] != before[i] ? 1 : 0;
+  EXPECT_LT(different, again.size() / 1000);
 }
 
 TEST_F(ViewerWindowTest, RadiusAndAdaptiveCoefficientReconstructWhileTheWindowLives)
@@ -177,32 +147,53 @@ TEST_F(ViewerWindowTest, RadiusAndAdaptiveCoefficientReconstructWhileTheWindowLi
   EXPECT_NE(window_->status().find("adaptive 0.1"), std::string::npos) << window_->status();
 }
 
-TEST(PrivateXServer, IsStartedAndEnded)
+TEST_F(ViewerWindowTest, ARunIsGivenUpForTheNextAndWhenTheWindowCloses)
 {
-  std::string display;
-  unsetenv("DISPLAY");
-  {
-    const PrivateXServer server;
-    ASSERT_NE(std::getenv("DISPLAY"), nullptr);
-    display = std::getenv("DISPLAY");
-    const PrivateXServer second;  // takes the first one's display
-    EXPECT_EQ(std::getenv("DISPLAY"), display);
-  }
-  EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
+  const double radius = view_.data().radius;
+  for (int i = 0; i < 3; ++i) press('+');
+  wait();
+  EXPECT_NEAR(view_.data().radius, std::pow(1.25, 3) * radius, 1e-6 * radius);
+  press('+');
+  window_.reset();  // must neither hang nor crash
 }
 
-TEST(PrivateXServer, SaysWhatIsMissing)
+/** \brief A rim and too many points to move them fluently. */
+class ViewerWindowOfPlane : public ViewerWindowTest
 {
-  unsetenv("DISPLAY");
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nowhere", 1);
-  try {
-    const PrivateXServer server;
-    ADD_FAILURE() << "found an Xvfb nowhere";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("install xvfb"), std::string::npos) << error.what();
-  }
-  setenv("PATH", path.c_str(), 1);
+ protected:
+  ViewerWindowOfPlane() : ViewerWindowTest(make_source(make_plane(0, 400))) {}
+};
+
+TEST_F(ViewerWindowOfPlane, TheRimIsDrawn)
+{
+  const auto is_orange = [](int red, int green, int blue) {
+    return red > 220 && green > 90 && green < 160 && blue < 50;
+  };
+  EXPECT_EQ(count_if_pixel(pixels(), is_orange), 0U);
+  press('b');
+  EXPECT_GT(count_if_pixel(pixels(), is_orange), 300U);
+}
+
+TEST_F(ViewerWindowOfPlane, HasFewerPointsWhileItMovesAndAllWhenItRests)
+{
+  press('m');
+  press('c');
+  rest();
+  const Pixels all = pixels();
+  send(vtkCommand::LeftButtonPressEvent, 150, 150);
+  EXPECT_TRUE(view_.is_coarse());
+  send(vtkCommand::MouseMoveEvent, 170, 150);
+  const Pixels moving = pixels();
+  EXPECT_GT(count_if_pixel(moving, is_drawn), 300U);
+  window_->poll();
+  EXPECT_TRUE(view_.is_coarse());  // the button is still down
+  send(vtkCommand::MouseMoveEvent, 150, 150);
+  send(vtkCommand::LeftButtonReleaseEvent, 150, 150);
+  rest();
+  EXPECT_TRUE(pixels() != moving);
+  press('k');
+  rest();
+  EXPECT_TRUE(pixels() == all);
 }
 
 }  // namespace

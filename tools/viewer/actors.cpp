@@ -9,20 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vtkArrowSource.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkFloatArray.h>
 #include <vtkGlyph3D.h>
+#include <vtkLineSource.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
-#include <vtkQuadricClustering.h>
 #include <vtkRegularPolygonSource.h>
-#include <vtkTransform.h>
 #include <vtkUnsignedCharArray.h>
 
 namespace pds
@@ -30,6 +23,8 @@ namespace pds
 
 namespace
 {
+
+constexpr std::size_t disk_sides = 24;
 
 struct Color
 {
@@ -55,6 +50,7 @@ vtkSmartPointer<vtkActor> make_actor(vtkPolyData* data, const Color& color, floa
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color.red, color.green, color.blue);
@@ -63,7 +59,7 @@ vtkSmartPointer<vtkActor> make_actor(vtkPolyData* data, const Color& color, floa
   return actor;
 }
 
-void color_cells(vtkPolyData* points, const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& label)
+void color_cells(vtkActor* actor, const Indices& chosen, const std::vector<std::uint32_t>& label)
 {
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
@@ -72,174 +68,154 @@ void color_cells(vtkPolyData* points, const std::vector<std::uint32_t>& chosen, 
     const Color color = cell_color(label[chosen[i]]);
     colors->SetTuple3(static_cast<vtkIdType>(i), 255 * color.red, 255 * color.green, 255 * color.blue);
   }
-  points->GetPointData()->SetScalars(colors);
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+  mapper->GetInput()->GetPointData()->SetScalars(colors);
+  mapper->ScalarVisibilityOn();
+}
+
+/** \brief Middle of the box around the cloud, or the mesh if there is none: it stays when the mesh is made anew. */
+Eigen::Vector3d find_center(const ViewData& data)
+{
+  Eigen::AlignedBox3d box;
+  const auto take = [&box](const Eigen::Vector3d& p) {
+    if (p.allFinite()) {
+      box.extend(p);
+    }
+  };
+  for (std::size_t i = 0; i < data.cloud.size; ++i) {
+    take(data.cloud.positions[i]);
+  }
+  if (data.cloud.size == 0) {
+    std::for_each(data.mesh.vertices.begin(), data.mesh.vertices.end(), take);
+  }
+  return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.center());
 }
 
 }  // namespace
 
-ActorFactory::ActorFactory(const ViewData& data) : data_(data)
+ActorFactory::ActorFactory(const ViewData& data) : data_(data), center_(find_center(data))
 {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : data.mesh.vertices.empty() ? data.cloud : data.mesh.vertices) {
-    if (p.allFinite()) {
-      box.extend(p);
-    }
+  for (const Triangle& face : data.mesh.faces) {
+    area_ += 0.5 * area_normal(data.mesh, face).norm();
   }
-  center_ = box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.center());
-  mesh_ = mesh();
 }
 
-vtkSmartPointer<vtkPolyData> ActorFactory::points(const Chosen& chosen) const
+std::size_t ActorFactory::size(Layer layer) const
 {
-  vtkNew<vtkPoints> positions;
-  vtkNew<vtkCellArray> vertices;
-  positions->SetNumberOfPoints(static_cast<vtkIdType>(chosen.size()));
-  vertices->AllocateExact(1, static_cast<vtkIdType>(chosen.size()));
-  vertices->InsertNextCell(static_cast<int>(chosen.size()));
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const Eigen::Vector3d p = data_.cloud[chosen[i]] - center_;
-    positions->SetPoint(static_cast<vtkIdType>(i), p.data());
-    vertices->InsertCellPoint(static_cast<vtkIdType>(i));
+  const std::size_t vertices = data_.mesh.faces.empty() ? 0 : data_.mesh.vertices.size();
+  switch (layer) {
+    case Layer::cloud:
+      return data_.cloud.size;
+    case Layer::cells:
+      return data_.label.size();
+    case Layer::seeds:
+      return data_.seeds.size();
+    case Layer::witnesses:
+      return data_.witnesses.size();
+    case Layer::graph:
+      return data_.seed_edges.size();
+    case Layer::deviation:
+      return data_.face_deviation.size();
+    case Layer::disks:
+      return vertices * disk_sides;
+    case Layer::normals:
+      return vertices;
+    case Layer::loops:
+      return data_.boundary_loops.size();
+    default:
+      return data_.mesh.faces.size();
   }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(positions);
-  result->SetVerts(vertices);
-  return result;
 }
 
-vtkSmartPointer<vtkPolyData> ActorFactory::mesh() const
+vtkPolyData* ActorFactory::mesh(std::size_t limit)
 {
-  vtkNew<vtkPoints> positions;
-  for (const Eigen::Vector3d& vertex : data_.mesh.vertices) {
-    const Eigen::Vector3d p = vertex - center_;
-    positions->InsertNextPoint(p.data());
+  const std::size_t faces = std::min(limit, data_.mesh.faces.size());
+  vtkSmartPointer<vtkPolyData>& found = mesh_[faces];
+  if (!found) {
+    found = faces == data_.mesh.faces.size() ? mesh_data(data_.mesh, data_.face_deviation, center_)
+                                             : coarse_mesh(mesh(data_.mesh.faces.size()), area_, faces);
   }
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& [a, b, c] : data_.mesh.faces) {
-    triangles->InsertNextCell({vtkIdType{a}, vtkIdType{b}, vtkIdType{c}});
-  }
-  vtkNew<vtkPolyData> bare;
-  bare->SetPoints(positions);
-  bare->SetPolys(triangles);
-  if (!data_.face_deviation.empty()) {
-    vtkNew<vtkFloatArray> scalars;
-    scalars->SetName("deviation");
-    for (const double deviation : data_.face_deviation) {
-      scalars->InsertNextValue(static_cast<float>(deviation));
-    }
-    bare->GetCellData()->SetScalars(scalars);
-  }
-  vtkNew<vtkPolyDataNormals> normals;  // neither split nor turned: faces are shown as they are
-  normals->SetInputData(bare);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  normals->Update();
-  return normals->GetOutput();
+  return found;
 }
 
-vtkSmartPointer<vtkPolyData> ActorFactory::loops() const
+Indices ActorFactory::choose_points(Layer layer, std::size_t limit) const
 {
-  vtkNew<vtkCellArray> lines;
-  for (const auto& loop : data_.boundary_loops) {
-    lines->InsertNextCell(static_cast<int>(loop.size() + 1));
-    for (const std::uint32_t vertex : loop) {
-      lines->InsertCellPoint(vertex);
+  Indices chosen = spread(size(layer), limit);
+  if (layer == Layer::seeds || layer == Layer::witnesses) {
+    const Indices& of = layer == Layer::seeds ? data_.seeds : data_.witnesses;
+    for (std::uint32_t& i : chosen) {
+      i = of[i];
     }
-    lines->InsertCellPoint(loop.front());
   }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(mesh_->GetPoints());
-  result->SetLines(lines);
-  return result;
+  const auto is_bad = [this](std::uint32_t i) { return !data_.cloud.positions[i].allFinite(); };
+  chosen.erase(std::remove_if(chosen.begin(), chosen.end(), is_bad), chosen.end());
+  return chosen;
 }
 
-vtkSmartPointer<vtkActor> ActorFactory::make_points(Layer layer, std::size_t every) const
+vtkSmartPointer<vtkActor> ActorFactory::make_points(Layer layer, std::size_t limit) const
 {
-  Chosen chosen;
-  const auto take = [&](std::uint32_t i) {
-    if (i % every == 0 && data_.cloud[i].allFinite()) {
-      chosen.push_back(i);
-    }
-  };
-  if (layer == Layer::seeds) {
-    every = 1;
-    std::for_each(data_.seeds.begin(), data_.seeds.end(), take);
-  } else if (layer == Layer::witnesses) {
-    std::for_each(data_.witnesses.begin(), data_.witnesses.end(), take);
-  } else if (layer == Layer::cloud || !data_.label.empty()) {
-    for (std::uint32_t i = 0; i < data_.cloud.size(); ++i) {
-      take(i);
-    }
-  }
+  const Indices chosen = choose_points(layer, limit);
   if (chosen.empty()) {
     return nullptr;
   }
-  const vtkSmartPointer<vtkPolyData> data = points(chosen);
+  const vtkSmartPointer<vtkPolyData> data = point_data(data_.cloud, chosen, center_);
+  const float larger = limit < size(layer) ? 1 : 0;  // some make up for many
   switch (layer) {
     case Layer::seeds:
       return make_actor(data, {0.85, 0.1, 0.1}, 4);
     case Layer::witnesses:
-      return make_actor(data, {0.1, 0.3, 0.8}, 2);
-    case Layer::cells:
-      color_cells(data, chosen, data_.label);
-      return make_actor(data, {1, 1, 1}, 2);
+      return make_actor(data, {0.1, 0.3, 0.8}, 2 + larger);
+    case Layer::cells: {
+      vtkSmartPointer<vtkActor> actor = make_actor(data, {1, 1, 1}, 2 + larger);
+      color_cells(actor, chosen, data_.label);
+      return actor;
+    }
     default:
-      return make_actor(data, {0.45, 0.5, 0.55}, 1);
+      return make_actor(data, {0.45, 0.5, 0.55}, 1 + larger);
   }
 }
 
-vtkSmartPointer<vtkActor> ActorFactory::make_glyphs(Layer layer) const
+vtkSmartPointer<vtkActor> ActorFactory::make_glyphs(Layer layer, std::size_t limit)
 {
-  if (data_.mesh.faces.empty()) {
-    return nullptr;
-  }
+  const bool are_disks = layer == Layer::disks;
+  const std::size_t vertices = data_.mesh.vertices.size();
   double length = data_.radius;
-  if (!(length > 0)) {  // a mesh that was read: the length of an average edge
-    const double area = [this] {
-      double sum = 0;
-      for (const Triangle& face : data_.mesh.faces) {
-        sum += area_normal(data_.mesh, face).norm();
-      }
-      return sum;
-    }();
-    length = std::sqrt(area / static_cast<double>(data_.mesh.faces.size()));
+  if (!(length > 0)) {  // a mesh that was read: about the length of an edge
+    length = std::sqrt(2 * area_ / static_cast<double>(data_.mesh.faces.size()));
   }
   vtkNew<vtkGlyph3D> glyphs;
-  glyphs->SetInputData(mesh_);
+  glyphs->SetInputData(
+      vertex_data(mesh(data_.mesh.faces.size()), spread(vertices, are_disks ? limit / disk_sides : limit)));
   glyphs->SetVectorModeToUseNormal();
   glyphs->SetScaleModeToDataScalingOff();
   glyphs->SetScaleFactor(length);
-  glyphs->SetColorModeToColorByVector();
-  if (layer == Layer::disks) {
-    constexpr int sides = 24;
+  if (are_disks) {
     vtkNew<vtkRegularPolygonSource> circle;
-    circle->SetNumberOfSides(sides);
+    circle->SetNumberOfSides(disk_sides);
     circle->SetRadius(0.5);  // so that they touch but do not overlap
     circle->SetNormal(1, 0, 0);
     circle->GeneratePolygonOff();
     glyphs->SetSourceConnection(circle->GetOutputPort());
   } else {
-    vtkNew<vtkArrowSource> arrow;
-    glyphs->SetSourceConnection(arrow->GetOutputPort());
+    vtkNew<vtkLineSource> line;
+    line->SetPoint1(0, 0, 0);
+    line->SetPoint2(1, 0, 0);
+    glyphs->SetSourceConnection(line->GetOutputPort());
   }
   glyphs->Update();
-  vtkSmartPointer<vtkActor> actor =
-      make_actor(glyphs->GetOutput(), layer == Layer::disks ? Color{0.1, 0.45, 0.2} : Color{0.2, 0.3, 0.75});
-  actor->GetMapper()->ScalarVisibilityOff();
-  return actor;
+  return make_actor(glyphs->GetOutput(), are_disks ? Color{0.1, 0.45, 0.2} : Color{0.2, 0.3, 0.75});
 }
 
-vtkSmartPointer<vtkActor> ActorFactory::make_surface(Layer layer, vtkPolyData* mesh) const
+vtkSmartPointer<vtkActor> ActorFactory::make_surface(Layer layer, std::size_t limit)
 {
-  vtkSmartPointer<vtkActor> actor = make_actor(mesh, {0.80, 0.79, 0.76});
+  vtkSmartPointer<vtkActor> actor = make_actor(mesh(limit), {0.80, 0.79, 0.76});
   vtkMapper* mapper = actor->GetMapper();
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();  // points and lines in front of the faces they lie on
-  mapper->SetScalarVisibility(layer == Layer::deviation ? 1 : 0);
   actor->GetProperty()->LightingOn();
   if (layer == Layer::deviation) {
-    const double reach = deviation_reach(data_.face_deviation);
+    mapper->ScalarVisibilityOn();
     mapper->SetScalarModeToUseCellData();
-    mapper->SetLookupTable(deviation_colors(reach));
+    mapper->SetLookupTable(deviation_colors(deviation_reach(data_.face_deviation)));
     mapper->UseLookupTableScalarRangeOn();
     return actor;
   }
@@ -249,47 +225,42 @@ vtkSmartPointer<vtkActor> ActorFactory::make_surface(Layer layer, vtkPolyData* m
   return actor;
 }
 
-vtkSmartPointer<vtkActor> ActorFactory::make(Layer layer, std::size_t every) const
+vtkSmartPointer<vtkActor> ActorFactory::make_lines(Layer layer, std::size_t limit)
 {
-  const bool has_mesh = !data_.mesh.faces.empty();
-  switch (layer) {
-    case Layer::mesh:
-      return has_mesh ? make_surface(layer, mesh_) : nullptr;
-    case Layer::deviation:
-      return has_mesh && !data_.face_deviation.empty() ? make_surface(layer, mesh_) : nullptr;
-    case Layer::edges: {
-      if (!has_mesh) {
-        return nullptr;
-      }
-      vtkSmartPointer<vtkActor> actor = make_actor(mesh_, {0.2, 0.22, 0.25});
-      actor->GetMapper()->ScalarVisibilityOff();
-      actor->GetProperty()->SetRepresentationToWireframe();
-      return actor;
-    }
-    case Layer::loops: {
-      vtkSmartPointer<vtkActor> actor = make_actor(loops(), {0.95, 0.5, 0.05});
-      actor->GetProperty()->SetLineWidth(4);
-      return data_.boundary_loops.empty() ? nullptr : actor;
-    }
-    case Layer::disks:
-    case Layer::normals:
-      return make_glyphs(layer);
-    default:
-      return make_points(layer, every);
+  if (layer == Layer::edges) {
+    vtkSmartPointer<vtkActor> actor = make_actor(mesh(limit), {0.2, 0.22, 0.25});
+    actor->GetProperty()->SetRepresentationToWireframe();
+    return actor;
   }
+  if (layer == Layer::loops) {
+    vtkSmartPointer<vtkActor> actor =
+        make_actor(loop_data(mesh(data_.mesh.faces.size()), data_.boundary_loops), {0.95, 0.5, 0.05});
+    actor->GetProperty()->SetLineWidth(4);
+    return actor;
+  }
+  const vtkSmartPointer<vtkPolyData> seeds = point_data(data_.cloud, data_.seeds, center_);
+  return make_actor(segment_data(seeds, data_.seed_edges, spread(size(layer), limit)), {0.55, 0.15, 0.55});
 }
 
-vtkSmartPointer<vtkActor> ActorFactory::make_coarse(Layer layer) const
+vtkSmartPointer<vtkActor> ActorFactory::make(Layer layer, std::size_t limit)
 {
-  constexpr int divisions = 160;  // of the longest side: some 50,000 triangles
-  vtkNew<vtkQuadricClustering> clustering;
-  clustering->SetInputData(mesh_);
-  clustering->SetNumberOfDivisions(divisions, divisions, divisions);
-  clustering->AutoAdjustNumberOfDivisionsOff();
-  clustering->CopyCellDataOn();
-  clustering->UseInputPointsOn();
-  clustering->Update();
-  return make_surface(layer, clustering->GetOutput());
+  if (size(layer) == 0) {
+    return nullptr;
+  }
+  switch (layer) {
+    case Layer::mesh:
+    case Layer::deviation:
+      return make_surface(layer, limit);
+    case Layer::edges:
+    case Layer::loops:
+    case Layer::graph:
+      return make_lines(layer, limit);
+    case Layer::disks:
+    case Layer::normals:
+      return make_glyphs(layer, limit);
+    default:
+      return make_points(layer, limit);
+  }
 }
 
 }  // namespace pds

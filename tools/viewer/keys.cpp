@@ -13,11 +13,11 @@ std::string key_help()
     text += std::string("  ") + layer.key + "        " + layer.name + " on and off\n";
   }
   return text +
-         "  f        flat or smooth faces\n"
+         "  f        faces smooth, flat or as a wireframe\n"
          "  + -      larger or smaller Poisson-disk radius\n"
          "  a        next adaptive coefficient: 0, 0.1, 0.2, 0.3\n"
-         "  p        what is under the pointer: number, cell size, deviation\n"
-         "  K k      save the camera, return to it\n"
+         "  p        the vertex or point under the pointer: index, cell, fields\n"
+         "  K k      save the camera and print it for --camera; return to it\n"
          "  r        show everything\n"
          "  h        these keys on and off\n"
          "  q        leave\n";

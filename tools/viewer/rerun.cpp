@@ -8,6 +8,7 @@ namespace pds
 
 Rerun::~Rerun()
 {
+  give_up_ = true;
   if (thread_.joinable()) {
     thread_.join();
   }
@@ -17,21 +18,32 @@ void Rerun::request(const Options& options)
 {
   if (is_busy()) {
     next_ = options;
+    give_up_ = true;
   } else {
     start(options);
   }
 }
 
+void Rerun::announce(const char* stage, double fraction)
+{
+  if (give_up_) {
+    throw GivenUp();
+  }
+  const std::lock_guard<std::mutex> lock(progress_mutex_);
+  progress_ = std::string(stage) + " " + std::to_string(static_cast<int>(100 * fraction)) + " %";
+}
+
 void Rerun::start(const Options& options)
 {
   finished_ = false;
+  give_up_ = false;
   thread_ = std::thread([this, options] {
     result_ = {{}, options, ""};
     try {
-      result_.data = make_view_data(source_, options, [this](const char* stage, double fraction) {
-        const std::lock_guard<std::mutex> lock(progress_mutex_);
-        progress_ = std::string(stage) + " " + std::to_string(static_cast<int>(100 * fraction)) + " %";
-      });
+      result_.data =
+          make_view_data(source_, options, [this](const char* stage, double fraction) { announce(stage, fraction); });
+    } catch (const GivenUp&) {
+      result_.error = "given up";
     } catch (const std::exception& error) {
       result_.error = error.what();
     }

@@ -29,7 +29,7 @@ class Rerun
   Rerun(const Rerun&) = delete;
   Rerun& operator=(const Rerun&) = delete;
 
-  /** \brief Starts with these options; if a run is under way, after it. */
+  /** \brief Starts with these options. A run that is under way is given up at its next stage. */
   void request(const Options& options);
 
   /** \brief The result of the last request, once; nothing before it is there. */
@@ -39,11 +39,17 @@ class Rerun
   [[nodiscard]] std::string progress() const;  ///< such as "sampling 40 %"
 
  private:
+  struct GivenUp
+  {
+  };
+
   void start(const Options& options);
+  void announce(const char* stage, double fraction);
 
   const ViewSource& source_;
   std::thread thread_;
   std::atomic<bool> finished_{false};
+  std::atomic<bool> give_up_{false};
   Result result_;
   std::optional<Options> next_;
   mutable std::mutex progress_mutex_;

@@ -2,6 +2,7 @@
 #include "viewer/viewer_options.h"
 
 #include "io/file_extension.h"
+#include "option_table.h"
 #include "viewer/keys.h"
 
 #include <pcl_pds_recon/version.h>
@@ -27,30 +28,50 @@ constexpr const char* usage_hint = "; see pcl_pds_viewer --help";
 struct Texts
 {
   std::string layers;
+  std::string shading;
   std::string size;
   std::string camera;
 };
 
+/** \brief Options of the command tool that are about its outputs and messages, which the viewer has not. */
+bool concerns_viewer(const OptionRow& row)
+{
+  constexpr std::array<const char*, 7> others = {"normals",     "ascii", "report", "voronoi",
+                                                 "save-config", "quiet", "verbose"};
+  return std::none_of(others.begin(), others.end(), [&row](const char* name) { return row.name == name; });
+}
+
+std::string layer_list()
+{
+  std::string text;
+  for (const LayerName& layer : layer_names) {
+    text += std::string(text.empty() ? "" : " ") + layer.name;
+  }
+  return text;
+}
+
 po::options_description visible_options(ViewerOptions& options, Texts& texts)
 {
-  Options& reconstruction = options.reconstruction;
   po::options_description description("Options", 100);
   auto add = description.add_options();
-  add("show", po::value(&texts.layers)->value_name("LAYER,..."),
-      "what is shown first: cloud seeds disks cells witnesses mesh edges loops normals deviation");
-  add("points", po::bool_switch(&options.points_only), "take the vertices of a mesh as a cloud");
-  add("flat", po::bool_switch(&options.flat), "flat faces");
-  add("k-neighbors,k", po::value(&reconstruction.k_neighbors)->value_name("N"), "as in pcl_pds_recon");
-  add("radius-factor,f", po::value(&reconstruction.radius_factor)->value_name("X"), "as in pcl_pds_recon");
-  add("radius,r", po::value(&reconstruction.radius)->value_name("R"), "as in pcl_pds_recon");
-  add("adaptive,a", po::value(&reconstruction.adaptive)->value_name("C"), "as in pcl_pds_recon");
-  add("hole-size", po::value(&reconstruction.hole_size)->value_name("X"), "as in pcl_pds_recon");
-  add("threads,j", po::value(&reconstruction.threads)->value_name("N"), "as in pcl_pds_recon");
+  add("show", po::value(&texts.layers)->value_name("LAYER,..."), ("what is shown first: " + layer_list()).c_str());
+  add("reference", po::value(&options.reference)->value_name("FILE"), "a mesh or cloud to show the deviation from");
+  add("points", po::bool_switch(&options.points_only), "take the vertices of meshes as clouds");
+  add("shading", po::value(&texts.shading)->value_name("NAME"), "smooth (default), flat or wireframe");
   add("screenshot", po::value(&options.screenshot)->value_name("FILE.png"), "write a picture instead of a window");
   add("frames", po::value(&options.frames)->value_name("N"), "turn the camera N times and print the frames per second");
   add("size", po::value(&texts.size)->value_name("WxH"), "of the window or picture in pixels (default 1200x900)");
   add("camera", po::value(&texts.camera)->value_name("AZ,EL,ZOOM[,z]"),
-      "degrees around and above, magnification (default 0,0,1.4); z: that axis points up");
+      "degrees around and above, magnification (default 0,0,1.4); z: that axis points up; or the ten numbers that the "
+      "key K prints");
+  for (const OptionRow& row : option_table()) {
+    if (concerns_viewer(row)) {
+      const std::string names = row.letter != 0 ? row.name + "," + row.letter : row.name;
+      auto* value = po::value<std::string>()->value_name(row.argument);
+      add(names.c_str(), row.is_switch() ? value->zero_tokens()->implicit_value("true") : value, row.help.c_str());
+    }
+  }
+  add("config", po::value<std::string>()->value_name("FILE.ini"), "read options of pcl_pds_recon from a file");
   add("help,h", "print this help and exit");
   add("version", "print the version and exit");
   return description;
@@ -59,16 +80,20 @@ po::options_description visible_options(ViewerOptions& options, Texts& texts)
 std::string help_text(const po::options_description& options)
 {
   std::ostringstream text;
-  text << "Usage: pcl_pds_viewer [OPTION]... CLOUD_OR_MESH [REFERENCE]\n"
-          "Show a mesh, or a point cloud and its reconstruction, step by step; with a REFERENCE the deviation from "
-          "it.\n\n"
+  text << "Usage: pcl_pds_viewer [OPTION]... CLOUD_OR_MESH...\n"
+          "Show meshes, or a point cloud and its reconstruction, step by step.\n\n"
+          "Several clouds are merged; several meshes lie beside each other, or with a cloud where they are.\n\n"
        << options << "\nKeys in the window:\n"
        << key_help()
        << "\nExamples:\n"
           "  pcl_pds_viewer -a 0.25 scan.pcd\n"
-          "  pcl_pds_viewer --show deviation mesh.ply reference.ply\n"
+          "  pcl_pds_viewer --show deviation --reference reference.ply mesh.ply\n"
+          "  pcl_pds_viewer --show cloud,mesh scan1.pcd scan2.pcd mesh.ply\n"
           "  pcl_pds_viewer --show cells,seeds --screenshot cells.png --size 800x600 scan.ply\n"
-          "\nExit status: 0; 1 a file or the display is at fault; 2 the command line is\n";
+          "\nExit status:\n"
+          "  0  done\n"
+          "  1  a file or the display is at fault\n"
+          "  2  the command line is at fault\n";
   return text.str();
 }
 
@@ -81,11 +106,25 @@ std::vector<Layer> parse_layers(const std::string& text)
     const auto* known = std::find_if(layer_names.begin(), layer_names.end(),
                                      [&name](const LayerName& layer) { return name == layer.name; });
     if (known == layer_names.end()) {
-      throw ViewerUsageError("--show: there is no layer '" + name + "'" + usage_hint);
+      throw ViewerUsageError("--show: there is no layer '" + name + "'; use " + layer_list());
     }
     layers.push_back(known->layer);
   }
   return layers;
+}
+
+Shading parse_shading(const std::string& text)
+{
+  if (text == "flat") {
+    return Shading::flat;
+  }
+  if (text == "wireframe") {
+    return Shading::wireframe;
+  }
+  if (text != "smooth") {
+    throw ViewerUsageError("--shading: '" + text + "' is not smooth, flat or wireframe");
+  }
+  return Shading::smooth;
 }
 
 void parse_size(const std::string& text, ViewerOptions& options)
@@ -100,8 +139,13 @@ void parse_size(const std::string& text, ViewerOptions& options)
   }
 }
 
-void parse_camera(const std::string& text, CameraPlace& camera)
+void parse_camera(const std::string& text, ViewerOptions& options)
 {
+  options.pose = parse_pose(text);
+  if (options.pose) {
+    return;
+  }
+  CameraPlace& camera = options.camera;
   std::istringstream stream(text);
   char comma[2] = {0, 0};
   const bool understood = stream >> camera.azimuth >> comma[0] >> camera.elevation >> comma[1] >> camera.zoom &&
@@ -110,7 +154,8 @@ void parse_camera(const std::string& text, CameraPlace& camera)
   stream >> rest;
   if (!understood || !(rest.empty() || rest == ",y" || rest == ",z")) {
     throw ViewerUsageError("--camera: '" + text +
-                           "' is not AZ,EL,ZOOM or AZ,EL,ZOOM,z with -90 < EL < 90 and a positive ZOOM");
+                           "' is not AZ,EL,ZOOM or AZ,EL,ZOOM,z with -90 < EL < 90 and a positive ZOOM, nor the ten "
+                           "numbers that the key K prints");
   }
   camera.up = rest == ",z" ? 'z' : 'y';
 }
@@ -120,11 +165,14 @@ void understand(const Texts& texts, ViewerOptions& options)
   if (!texts.layers.empty()) {
     options.layers = parse_layers(texts.layers);
   }
+  if (!texts.shading.empty()) {
+    options.shading = parse_shading(texts.shading);
+  }
   if (!texts.size.empty()) {
     parse_size(texts.size, options);
   }
   if (!texts.camera.empty()) {
-    parse_camera(texts.camera, options.camera);
+    parse_camera(texts.camera, options);
   }
   if (!options.screenshot.empty() && file_extension(options.screenshot) != ".png") {
     throw ViewerUsageError("--screenshot: " + options.screenshot + ": is written as PNG; let its name end in .png");
@@ -132,7 +180,9 @@ void understand(const Texts& texts, ViewerOptions& options)
   if (options.frames < 0) {
     throw ViewerUsageError("--frames must not be negative");
   }
-  validate(options.reconstruction);
+  if (options.inputs.empty()) {
+    throw ViewerUsageError(std::string("needs a CLOUD_OR_MESH") + usage_hint);
+  }
 }
 
 }  // namespace
@@ -143,8 +193,7 @@ ViewerOptions parse_viewer_options(int argc, const char* const* argv)
   Texts texts;
   const po::options_description visible = visible_options(options, texts);
   po::options_description all;
-  std::vector<std::string> files;
-  all.add(visible).add_options()("files", po::value(&files));
+  all.add(visible).add_options()("files", po::value(&options.inputs));
   po::positional_options_description positional;
   positional.add("files", -1);
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
@@ -160,16 +209,11 @@ ViewerOptions parse_viewer_options(int argc, const char* const* argv)
       options.information = "pcl_pds_viewer " PCL_PDS_RECON_VERSION "\n";
       return options;
     }
-    if (files.empty() || files.size() > 2) {
-      throw ViewerUsageError("needs one CLOUD_OR_MESH and perhaps a REFERENCE, got " + std::to_string(files.size()) +
-                             " file names" + usage_hint);
-    }
-    options.input = files[0];
-    options.reference = files.size() == 2 ? files[1] : "";
+    take_options(values, options.tool);
     understand(texts, options);
   } catch (const po::error& error) {
     throw ViewerUsageError(error.what() + std::string(usage_hint));
-  } catch (const InvalidOption& error) {
+  } catch (const UsageError& error) {
     throw ViewerUsageError(error.what());
   }
   return options;

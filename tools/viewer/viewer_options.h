@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "command_line.h"
 #include "viewer/view.h"
-
-#include <pcl_pds_recon/options.h>
 
 #include <optional>
 #include <stdexcept>
@@ -16,18 +15,21 @@ namespace pds
 /** \brief What pcl_pds_viewer was asked to show. */
 struct ViewerOptions
 {
-  std::string input;
+  std::vector<std::string> inputs;
   std::string reference;     ///< the deviation from it is shown; empty: none
-  bool points_only = false;  ///< the vertices of a mesh are taken as a cloud
-  Options reconstruction;    ///< of a cloud
+  bool points_only = false;  ///< the vertices of meshes are taken as clouds
+  CommandLine tool;          ///< of the command tool's options those about the cloud and its reconstruction
   std::optional<std::vector<Layer>> layers;
-  bool flat = false;
+  Shading shading = Shading::smooth;
   int width = 1200;  ///< of the window or picture, pixels
   int height = 900;  ///< likewise
   CameraPlace camera;
-  std::string screenshot;   ///< PNG; empty: a window
+  std::optional<CameraPose> pose;  ///< wins over camera
+  std::string screenshot;          ///< PNG; empty: a window
   int frames = 0;           ///< frames to be drawn and timed while the camera turns, instead of a window; 0: none
   std::string information;  ///< text to print instead: help or version
+
+  [[nodiscard]] bool wants_window() const { return screenshot.empty() && frames == 0; }
 };
 
 /** \brief Thrown for a command line that cannot be carried out; what() is one line that says why. */

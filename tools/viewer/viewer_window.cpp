@@ -2,21 +2,15 @@
 #include "viewer/viewer_window.h"
 
 #include "viewer/keys.h"
+#include "viewer/pick.h"
+#include "viewer/window_style.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iostream>
 
-#include <vtkAutoInit.h>
-#include <vtkCamera.h>
-#include <vtkCommand.h>
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkObjectFactory.h>
 #include <vtkTextProperty.h>
-
-VTK_MODULE_INIT(vtkInteractionStyle)
 
 namespace pds
 {
@@ -28,55 +22,8 @@ constexpr double radius_step = 1.25;    // of a press of + or -
 constexpr double adaptive_step = 0.1;   // of a press of a
 constexpr double most_adaptive = 0.31;  // then it starts again; the paper goes up to 0.3
 constexpr unsigned long poll_milliseconds = 100;
-
-/** \brief Mouse as usual in VTK; keys as in key_help(). */
-class Style : public vtkInteractorStyleTrackballCamera
-{
- public:
-  static Style* New();
-
-  void OnChar() override
-  {
-    int x = 0;
-    int y = 0;
-    Interactor->GetEventPosition(x, y);
-    window->press(Interactor->GetKeyCode(), x, y);
-  }
-  void OnTimer() override
-  {
-    vtkInteractorStyleTrackballCamera::OnTimer();
-    window->poll();
-  }
-  void StartState(int state) override
-  {
-    view->coarsen(true);
-    vtkInteractorStyleTrackballCamera::StartState(state);
-  }
-  void StopState() override
-  {
-    vtkInteractorStyleTrackballCamera::StopState();
-    view->coarsen(false);
-    Interactor->Render();
-  }
-
-  ViewerWindow* window = nullptr;
-  View* view = nullptr;
-};
-vtkStandardNewMacro(Style);
-
-std::uint32_t nearest(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& p)
-{
-  std::uint32_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const double distance = (points[i] - p).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      best = i;
-    }
-  }
-  return best;
-}
+// All details are drawn when nothing has changed for so long, since that may take seconds.
+constexpr std::chrono::milliseconds rest_time(300);
 
 void set_up_text(vtkTextActor* text, double x, double y, int size)
 {
@@ -89,15 +36,18 @@ void set_up_text(vtkTextActor* text, double x, double y, int size)
 }  // namespace
 
 ViewerWindow::ViewerWindow(View& view, const ViewSource& source, const ViewerOptions& options)
-    : view_(view), source_(source), options_(options.reconstruction), rerun_(source)
+    : view_(view),
+      source_(source),
+      options_(options.tool.options),
+      chooses_layers_(options.layers.has_value()),
+      rerun_(source)
 {
   window_->SetSize(options.width, options.height);
   window_->SetWindowName("pcl_pds_viewer");
   window_->SetMultiSamples(0);  // without a graphics card they cost most of a frame
   window_->AddRenderer(view.renderer());
-  vtkNew<Style> style;
+  vtkNew<WindowStyle> style;
   style->window = this;
-  style->view = &view;
   style->SetCurrentRenderer(view.renderer());
   interactor_->SetRenderWindow(window_);
   interactor_->SetInteractorStyle(style);
@@ -114,25 +64,63 @@ ViewerWindow::ViewerWindow(View& view, const ViewSource& source, const ViewerOpt
 
 void ViewerWindow::open()
 {
-  window_->Render();
+  draw();
   interactor_->Initialize();
 }
 
 void ViewerWindow::run()
 {
   open();
+  if (source_.is_reconstructed()) {
+    rerun_.request(options_);
+  }
   interactor_->CreateRepeatingTimer(poll_milliseconds);
   interactor_->Start();
+}
+
+/** What cannot be drawn fluently is drawn in few details first, so that nothing keeps the user waiting. */
+void ViewerWindow::draw()
+{
+  if (view_.is_heavy()) {
+    view_.coarsen(true);
+    last_change_ = Clock::now();
+  }
+  window_->Render();
+}
+
+void ViewerWindow::start_motion()
+{
+  is_moving_ = true;
+  view_.coarsen(true);
+}
+
+void ViewerWindow::stop_motion()
+{
+  is_moving_ = false;
+  last_change_ = Clock::now();
+}
+
+void ViewerWindow::refine()
+{
+  if (view_.is_coarse() && !is_moving_ && !is_busy() && Clock::now() - last_change_ > rest_time) {
+    view_.coarsen(false);
+    window_->Render();
+  }
 }
 
 std::string ViewerWindow::summary() const
 {
   const ViewData& data = view_.data();
-  std::string text = fmt::format("{} vertices, {} faces, {} boundary loops", data.mesh.vertices.size(),
-                                 data.mesh.faces.size(), data.boundary_loops.size());
-  if (source_.is_cloud) {
-    text +=
-        fmt::format("; {} points, radius {:.4g}, adaptive {:.2g}", data.cloud.size(), data.radius, options_.adaptive);
+  std::string text;
+  if (!data.mesh.faces.empty()) {
+    text = fmt::format("{} vertices, {} faces, {} boundary loops", data.mesh.vertices.size(), data.mesh.faces.size(),
+                       data.boundary_loops.size());
+  }
+  if (source_.cloud) {
+    text += fmt::format("{}{} points", text.empty() ? "" : "; ", data.cloud.size);
+  }
+  if (source_.is_reconstructed() && data.radius > 0) {
+    text += fmt::format(", radius {:.4g}, adaptive {:.2g}", data.radius, options_.adaptive);
   }
   return text;
 }
@@ -140,19 +128,20 @@ std::string ViewerWindow::summary() const
 void ViewerWindow::say(const std::string& text)
 {
   status_->SetInput(text.c_str());
-  window_->Render();
+  draw();
 }
 
 void ViewerWindow::toggle(const LayerName& layer)
 {
+  chooses_layers_ = true;
   const bool done = view_.show(layer.layer, !view_.is_shown(layer.layer));
   say(done ? summary() : std::string("there is nothing to show as ") + layer.name);
 }
 
 void ViewerWindow::change_options(char key)
 {
-  if (!source_.is_cloud) {
-    say("this is a mesh already; give a cloud, or --points");
+  if (!source_.is_reconstructed()) {
+    say("this is a mesh already; give a cloud alone, or --points");
     return;
   }
   if (key == 'a') {
@@ -176,54 +165,62 @@ void ViewerWindow::change_options(char key)
   say("reconstructing");
 }
 
-void ViewerWindow::poll()
+void ViewerWindow::take_result(Rerun::Result result)
 {
-  if (!rerun_.is_busy()) {
+  if (!result.error.empty() || result.data.mesh.faces.empty()) {
+    say(result.error.empty() ? "no faces came out; try another radius" : result.error);
     return;
   }
-  if (std::optional<Rerun::Result> result = rerun_.take()) {
-    if (!result->error.empty() || result->data.mesh.faces.empty()) {
-      say(result->error.empty() ? "no faces came out; try another radius" : result->error);
-      return;
+  const bool is_first = view_.data().mesh.faces.empty();
+  view_.replace(std::move(result.data));
+  if (is_first && !chooses_layers_) {
+    view_.show(Layer::cloud, false);
+    for (const Layer layer : first_layers(view_.data())) {
+      view_.show(layer, true);
     }
-    view_.replace(std::move(result->data));
-    say(summary());
-  } else if (const std::string now = rerun_.progress(); now != status()) {
-    say(now);
   }
+  say(summary());
 }
 
-std::string ViewerWindow::describe_place(int x, int y) const
+void ViewerWindow::poll()
 {
-  const double depth = view_.renderer()->GetZ(x, y);
+  if (std::optional<Rerun::Result> result = rerun_.take()) {
+    take_result(std::move(*result));
+  } else if (rerun_.is_busy() && rerun_.progress() != status()) {
+    say(rerun_.progress());
+  }
+  refine();
+}
+
+void ViewerWindow::pick(int x, int y)
+{
+  vtkRenderer* renderer = view_.renderer();
+  const double depth = renderer->GetZ(x, y);
+  view_.mark(std::nullopt);
   if (depth >= 1) {
-    return "nothing there";
+    say("nothing there");
+    return;
   }
-  view_.renderer()->SetDisplayPoint(x, y, depth);
-  view_.renderer()->DisplayToWorld();
+  renderer->SetDisplayPoint(x, y, depth);
+  renderer->DisplayToWorld();
   double world[4];
-  view_.renderer()->GetWorldPoint(world);
+  renderer->GetWorldPoint(world);
   const Eigen::Vector3d place = Eigen::Vector3d(world[0], world[1], world[2]) / world[3] + view_.center();
+  const bool shows_points = view_.is_shown(Layer::cloud) || view_.is_shown(Layer::cells);
+  const bool shows_mesh =
+      view_.is_shown(Layer::mesh) || view_.is_shown(Layer::deviation) || view_.is_shown(Layer::edges);
   const ViewData& data = view_.data();
-  if (data.mesh.vertices.empty()) {
-    return fmt::format("point {}", nearest(data.cloud, place));
-  }
-  const std::uint32_t vertex = nearest(data.mesh.vertices, place);
-  std::string text = fmt::format("vertex {}", vertex);
-  std::uint32_t row = vertex;
-  if (source_.is_cloud) {
-    row = data.seeds[vertex];
-    text += fmt::format(", input point {}, cell of {} points", row,
-                        std::count(data.label.begin(), data.label.end(), vertex));
-  }
-  if (!data.deviation.empty()) {
-    text += fmt::format(", deviation {:.5g}", data.deviation[vertex]);
-  }
-  const PointTable& table = source_.input.points;
-  for (const Field& field : table.fields()) {
-    text += fmt::format(", {} {:.8g}", field.name, table.value(row, field));
-  }
-  return text;
+  const bool takes_point = data.mesh.vertices.empty() || (shows_points && !shows_mesh);
+  const Pick found = takes_point ? pick_point(source_, data, place) : pick_vertex(source_, data, place);
+  view_.mark(found.place);
+  say(found.text);
+}
+
+void ViewerWindow::save_camera()
+{
+  saved_camera_->DeepCopy(view_.renderer()->GetActiveCamera());
+  std::cout << "--camera " << to_text(view_.pose()) << std::endl;
+  say("camera saved; k returns to it");
 }
 
 void ViewerWindow::press(char key, int x, int y)
@@ -237,7 +234,9 @@ void ViewerWindow::press(char key, int x, int y)
   vtkCamera* camera = view_.renderer()->GetActiveCamera();
   switch (key) {
     case 'f':
-      view_.shade_flat(!view_.is_flat());
+      view_.shade(view_.shading() == Shading::smooth ? Shading::flat
+                  : view_.shading() == Shading::flat ? Shading::wireframe
+                                                     : Shading::smooth);
       break;
     case '+':
     case '-':
@@ -245,11 +244,10 @@ void ViewerWindow::press(char key, int x, int y)
       change_options(key);
       return;
     case 'p':
-      say(describe_place(x, y));
+      pick(x, y);
       return;
     case 'K':
-      saved_camera_->DeepCopy(camera);
-      say("camera saved; k returns to it");
+      save_camera();
       return;
     case 'k':
       camera->DeepCopy(saved_camera_);
@@ -267,7 +265,7 @@ void ViewerWindow::press(char key, int x, int y)
     default:
       return;
   }
-  window_->Render();
+  draw();
 }
 
 }  // namespace pds
