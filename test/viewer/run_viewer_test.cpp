@@ -67,6 +67,9 @@ TEST_F(RunViewer, takes_the_command_tools_options)
   EXPECT_EQ(read("b.png"), read("c.png"));
   ASSERT_EQ(view(edges + "d.png --seed 7 cloud.xyz"), 0) << errors();
   EXPECT_NE(read("a.png"), read("d.png"));
+  ASSERT_EQ(view(edges + "e.png --placement quadric cloud.xyz"), 0) << errors();
+  EXPECT_NE(read("a.png"), read("e.png"));
+  EXPECT_EQ(view("--report a.json cloud.xyz"), 2) << "it writes none";
 }
 
 TEST_F(RunViewer, names_what_is_wrong_in_one_line)

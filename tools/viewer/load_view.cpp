@@ -34,7 +34,8 @@ void reconstruct_into(ViewData& data, const Options& options, const Progress& pr
   data.seeds = std::move(result.seeds);
   data.seed_edges = std::move(result.seed_edges);
   data.radius = result.report.radius;
-  for (std::size_t v = 0; v < result.report.vertices; ++v) {
+  data.mesh.vertices = std::move(result.moved.position);
+  for (std::size_t v = data.mesh.vertices.size(); v < result.report.vertices; ++v) {  // all or none were moved
     data.mesh.vertices.push_back(data.cloud.positions[data.seeds[v]]);
   }
   data.mesh.faces = std::move(result.triangles);
