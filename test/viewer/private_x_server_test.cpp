@@ -40,5 +40,17 @@ TEST(PrivateXServer, SaysWhatIsMissing)
   setenv("PATH", path.c_str(), 1);
 }
 
+TEST(PrivateXServer, SaysThatADisplayDoesNotAnswer)
+{
+  setenv("DISPLAY", ":9999", 1);
+  try {
+    const PrivateXServer server;
+    ADD_FAILURE() << "reached a server that is not there";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("no X server answers at DISPLAY :9999"), std::string::npos);
+  }
+  unsetenv("DISPLAY");
+}
+
 }  // namespace
 }  // namespace pds

@@ -80,9 +80,10 @@ TEST_F(RunViewer, names_what_is_wrong_in_one_line)
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
         "0 0 0\n");
   write("nan.xyz", "nan nan nan\n");
+  write("empty.stl", "solid x\nendsolid x\n");
   const auto before = files();
-  for (const char* bad : {"empty.ply", "missing.ply", "one.las", "one.obj empty.ply", "--reference empty.ply one.obj",
-                          "--reference nan.xyz one.obj"}) {
+  for (const char* bad : {"empty.ply", "empty.stl", "missing.ply", "one.las", "one.obj empty.ply",
+                          "--reference empty.ply one.obj", "--reference nan.xyz one.obj"}) {
     EXPECT_EQ(view(std::string("--screenshot a.png ") + bad), 1) << bad;
     EXPECT_TRUE(complained_of("")) << bad;
   }

@@ -105,6 +105,9 @@ ViewSource load_source(const ViewerOptions& options)
   std::vector<std::string> cloud_names;
   for (const std::string& name : options.inputs) {
     MeshFile file = read_mesh_file(name, parallel);
+    if (file.points.size() == 0) {
+      throw InvalidInput(name + ": holds neither points nor faces; write it again");
+    }
     if (file.triangles.empty() || options.points_only) {
       clouds.push_back(select_points(name, std::move(file.points), options.tool, source.warnings));
       cloud_names.push_back(name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/private_x_server.h"
 
+#include <X11/Xlib.h>
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -41,12 +42,24 @@ std::string read_line(int pipe_end)
   return line;
 }
 
+/** \brief VTK would abort the program. */
+void check_that_server_answers(const char* display)
+{
+  Display* connection = XOpenDisplay(display);
+  if (connection == nullptr) {
+    throw std::runtime_error("no X server answers at DISPLAY " + std::string(display) +
+                             "; set DISPLAY to one that does, or unset it to write pictures without");
+  }
+  XCloseDisplay(connection);
+}
+
 }  // namespace
 
 PrivateXServer::PrivateXServer()
 {
   const char* display = std::getenv("DISPLAY");
   if (display != nullptr && *display != '\0') {
+    check_that_server_answers(display);
     return;
   }
   int ends[2];

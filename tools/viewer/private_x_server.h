@@ -7,7 +7,7 @@ namespace pds
 {
 
 /** \brief Debian's VTK draws through an X server even without a window, and aborts without one. If no display is set,
- * this starts an Xvfb of its own, names it in DISPLAY, and ends it when destroyed. */
+ * this starts an Xvfb of its own, names it in DISPLAY, and ends it when destroyed; if one is set, it must answer. */
 class PrivateXServer
 {
  public:
