@@ -96,7 +96,7 @@ void draw_into(ReportPage& page, const ViewData& view)
   CameraPlace back = front;
   back.azimuth += 180;
   std::vector<Shot> shots = {{{Layer::mesh, Layer::edges, Layer::loops}, front}, {{Layer::mesh, Layer::loops}, back}};
-  std::vector<std::string> captions = {"The triangles; boundary loops, if any, in red", "From the other side"};
+  std::vector<std::string> captions = {"The triangles; boundary loops, if any, in orange", "From the other side"};
   if (!view.face_deviation.empty()) {
     shots.push_back({{Layer::deviation}, front});
     captions.emplace_back("Deviation of the points from the mesh, mean of each Voronoi cell; outside is positive");
