@@ -136,7 +136,7 @@ class RealWindow : public TemporaryDirectory
   pid_t process_ = 0;
 };
 
-TEST_F(RealWindow, ReconstructsAndObeysItsKeys)
+TEST_F(RealWindow, draws_reconstructs_and_obeys_its_keys)
 {
   write("cloud.xyz", sphere_rows(20000, 1, 0, 0));
   start("cloud.xyz");

@@ -37,7 +37,7 @@ TEST_F(RunViewer, draws_a_single_triangle_and_its_deviation)
   EXPECT_NE(read("a.png"), read("b.png"));
 }
 
-TEST_F(RunViewer, merges_clouds_and_sets_meshes_beside_each_other)
+TEST_F(RunViewer, draws_merged_clouds_and_meshes_beside_each_other)
 {
   const std::string small = " --size 200x150 --screenshot ";
   write("left.xyz", sphere_rows(4000, 1, 0, 0));
@@ -55,7 +55,7 @@ TEST_F(RunViewer, merges_clouds_and_sets_meshes_beside_each_other)
   EXPECT_TRUE(complained_of("there is nothing to show"));
 }
 
-TEST_F(RunViewer, takes_the_command_tools_options)
+TEST_F(RunViewer, draws_with_the_command_tools_options)
 {
   write("cloud.xyz", sphere_rows(4000, 1, 0, 0));
   write("coarse.ini", "radius-factor = 6\n");
