@@ -168,6 +168,7 @@ TEST_F(WriteMesh, obj_holds_sixteen_bit_colors)
   save("mesh.obj", points);
   EXPECT_TRUE(contains(read("mesh.obj"), "v 0 0 0 1 0 0\n"));
   EXPECT_EQ(lost_in_format(".obj", points, false), "");
+  EXPECT_EQ(lost_in_format(".glb", points, false), "the last digits of the colours");
 }
 
 TEST(LostInFormat, names_what_a_format_cannot_hold)

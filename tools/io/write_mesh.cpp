@@ -83,6 +83,9 @@ std::string lost_in_format(const std::string& extension, const PointTable& point
   if (!rounded_fields.empty()) {
     losses.push_back("the last digits of " + list(rounded_fields));
   }
+  if (extension == ".glb" && points.color_type() == ScalarType::uint16) {
+    losses.emplace_back("the last digits of the colours");  // linear ones leave dark shades fewer numbers
+  }
   if (rounds_all || (is_single_precision && points.has_double_positions())) {
     losses.emplace_back("the last digits of the coordinates");
   }

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VTK's own readers as the judges of what .vtp and .vtk hold.
+#include "io/write_mesh.h"
+#include "temporary_directory.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+
+namespace pds
+{
+namespace
+{
+
+const std::vector<Field> all_types = {{"int8", ScalarType::int8},       {"uint8", ScalarType::uint8},
+                                      {"int16", ScalarType::int16},     {"uint16", ScalarType::uint16},
+                                      {"int32", ScalarType::int32},     {"uint32", ScalarType::uint32},
+                                      {"int64", ScalarType::int64},     {"uint64", ScalarType::uint64},
+                                      {"float32", ScalarType::float32}, {"float64", ScalarType::float64}};
+
+/** Three points of a scan in UTM; each field holds the least, the greatest and a value in between of its type. */
+PointTable make_points()
+{
+  std::vector<Field> fields = {{"x", ScalarType::float64},  {"y", ScalarType::float64},   {"z", ScalarType::float64},
+                               {"nx", ScalarType::float32}, {"ny", ScalarType::float32},  {"nz", ScalarType::float32},
+                               {"red", ScalarType::uint8},  {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}};
+  fields.insert(fields.end(), all_types.begin(), all_types.end());
+  PointTable table(fields, 3);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const double third = static_cast<double>(row) / 3;
+    double value = 0;
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) {
+      table.set_value(row, *table.find(name), name[0] == 'n' ? third + value : 500000.001 + third + value);
+      value += 0.1;
+    }
+    for (const char* name : {"red", "green", "blue"}) {
+      table.set_value(row, *table.find(name), static_cast<double>(100 * row) + name[0] % 7);
+    }
+    for (const Field& field : all_types) {
+      visit_scalar(field.type, [&](auto zero) {
+        using Number = decltype(zero);
+        const Number numbers[] = {std::numeric_limits<Number>::lowest(), std::numeric_limits<Number>::max(),
+                                  static_cast<Number>(123.456)};
+        std::memcpy(table.record(row) + table.find(field.name)->offset, &numbers[row], sizeof zero);
+      });
+    }
+  }
+  return table;
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> read_with(const std::string& file)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+class VtkRoundTrip : public TemporaryDirectory
+{
+ protected:
+  /** Whether an array's bytes are those of these fields side by side. */
+  static void expect_same(const PointTable& points, const std::vector<const char*>& names, vtkDataArray* array)
+  {
+    ASSERT_NE(array, nullptr) << names.front();
+    ASSERT_EQ(array->GetNumberOfComponents(), static_cast<int>(names.size())) << names.front();
+    ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(points.size())) << names.front();
+    const auto* bytes = static_cast<const std::byte*>(array->GetVoidPointer(0));
+    for (std::size_t row = 0; row < points.size(); ++row) {
+      for (const char* name : names) {
+        const Field& field = *points.find(name);
+        ASSERT_EQ(static_cast<std::size_t>(array->GetDataTypeSize()), size_of(field.type)) << name;
+        EXPECT_EQ(std::memcmp(bytes, points.record(row) + field.offset, size_of(field.type)), 0)
+            << name << " of row " << row;
+        bytes += size_of(field.type);
+      }
+    }
+  }
+
+  void expect_round_trip(const std::string& name, bool ascii)
+  {
+    SCOPED_TRACE(name + (ascii ? " as text" : ""));
+    const PointTable points = make_points();
+    const std::string extension = name.substr(name.find('.'));
+    AtomicFile file(path(name));
+    write_mesh(file, extension, points, {{0, 1, 2}}, ascii);
+    file.finish();
+    file.commit();
+    const auto mesh =
+        extension == ".vtp" ? read_with<vtkXMLPolyDataReader>(path(name)) : read_with<vtkPolyDataReader>(path(name));
+    EXPECT_EQ(mesh->GetPolys()->GetNumberOfCells(), 1);
+    expect_same(points, {"x", "y", "z"}, mesh->GetPoints()->GetData());
+    expect_same(points, {"nx", "ny", "nz"}, mesh->GetPointData()->GetNormals());
+    expect_same(points, {"red", "green", "blue"}, mesh->GetPointData()->GetArray("RGB"));
+    for (const Field& field : all_types) {
+      expect_same(points, {field.name.c_str()}, mesh->GetPointData()->GetArray(field.name.c_str()));
+    }
+  }
+};
+
+TEST_F(VtkRoundTrip, of_vtp_gives_every_bit_of_every_field_back) { expect_round_trip("mesh.vtp", false); }
+TEST_F(VtkRoundTrip, of_vtp_as_text_gives_every_bit_of_every_field_back) { expect_round_trip("mesh.vtp", true); }
+TEST_F(VtkRoundTrip, of_vtk_gives_every_bit_of_every_field_back) { expect_round_trip("mesh.vtk", false); }
+
+}  // namespace
+}  // namespace pds
