@@ -62,7 +62,7 @@ using Progress = std::function<void(const char* stage, double fraction)>;
  *
  * \param cloud the points; too few or collinear points give an empty mesh, not an error
  * \param options see Options
- * \param progress optional; called from the calling thread
+ * \param progress optional; called from the calling thread. What it throws ends the run and reaches the caller
  * \throws InvalidOption if an option is out of range
  * \throws InvalidInput if the cloud is too large or its extent is not finite
  */
