@@ -24,6 +24,8 @@ set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libpcl-dev (>= 1.13)")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME pcl-pds-recon)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+# Pictures without a display.
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS xvfb)
 # Where the programs' own libraries are, which no installed package provides yet.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/pcl_pds_recon")
 
