@@ -30,7 +30,8 @@ po::options_description visible_options()
   auto add = options.add_options();
   add("samples,n", po::value<std::string>()->value_name("N"), "samples on each surface (default 400000)");
   add("seed", po::value<std::string>()->value_name("N"), "picks the samples (default 0)");
-  add("threads,j", po::value<std::string>()->value_name("N"), "worker threads; 0: all cores. No figure depends on it");
+  add("threads,j", po::value<std::string>()->value_name("N"),
+      "worker threads; 0: all cores. No figure depends on it (default 0)");
   add("weld", po::bool_switch(), "let coincident vertices of MESH count as one in the certificate");
   add("self-intersections", po::bool_switch(), "count pairs of faces that intersect, too");
   add("output,o", po::value<std::string>()->value_name("FILE"), "write MESH with its deviation at each vertex");

@@ -35,6 +35,19 @@ double smooth_union(double a, double b, double width)
   return std::min(a, b) - overlap * overlap * width * 0.25;
 }
 
+/** \brief A box around the origin with edges parallel to the axes. */
+double box(const Vector3d& p, const Vector3d& half_size)
+{
+  const Vector3d beyond = p.cwiseAbs() - half_size;
+  return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
+}
+
+/** \brief An endless cylinder along z. */
+double cylinder(const Vector3d& p, double x, double y, double radius)
+{
+  return (p - Vector3d(x, y, p.z())).norm() - radius;
+}
+
 }  // namespace
 
 double duck_distance_bound(const Vector3d& point)
@@ -59,6 +72,22 @@ double duck_distance_bound(const Vector3d& point)
   shape = smooth_union(shape, lower_bill, 0.06);
   shape = smooth_union(shape, tuft, 0.08);
   return smooth_union(shape, eye, 0.03);
+}
+
+double part_distance_bound(const Vector3d& point)
+{
+  // Each quarter is like the others.
+  const Vector3d p(std::abs(point.x()), std::abs(point.y()), point.z() + 0.3);
+
+  const double plate = box(p, {1.0, 0.6, 0.1});
+  const double boss = std::max(cylinder(p, 0.0, 0.0, 0.42), std::abs(p.z() - 0.3) - 0.4);
+  // Below the slope from the top of the boss down to the plate.
+  const double slope = (p - Vector3d(0.9, 0.0, 0.1)).dot(Vector3d(0.5, 0.0, 0.5)) / std::sqrt(0.5);
+  const double rib = std::max(box(p - Vector3d(0.45, 0.0, 0.3), {0.45, 0.06, 0.4}), slope);
+  const double bore = cylinder(p, 0.0, 0.0, 0.26);
+  const double bolt_hole = cylinder(p, 0.8, 0.42, 0.09);
+
+  return std::max(std::min({plate, boss, rib}), -std::min(bore, bolt_hole));
 }
 
 }  // namespace pds

@@ -13,4 +13,10 @@ namespace pds
  */
 double duck_distance_bound(const Eigen::Vector3d& point);
 
+/** \brief A bearing block: a plate with four bolt holes, a boss with a bore, and two ribs; 2 units long, z up, closed,
+ * genus 5, with sharp edges.
+ * \return as above
+ */
+double part_distance_bound(const Eigen::Vector3d& point);
+
 }  // namespace pds

@@ -2,6 +2,7 @@
 // Simulated range scans: virtual scanners around a known shape cast a ray per pixel, measure the depth with noise, and
 // their points are merged in one frame, as a registered set of real range images is.
 #include "implicit_shape.h"
+#include "noise_source.h"
 
 #include <Eigen/Geometry>
 #include <boost/endian/buffers.hpp>
@@ -9,10 +10,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,8 +25,20 @@ namespace
 
 using Eigen::Vector3d;
 
+/** \brief What is scanned. */
+struct Shape
+{
+  const char* name;
+  double (*distance_bound)(const Vector3d& point);
+  double unit;  ///< length in the output of 1 in the shape's own coordinates
+};
+
+constexpr Shape duck = {"a rubber duck", duck_distance_bound, 1.0};
+constexpr Shape part = {"a machine part", part_distance_bound, 50.0};  // mm
+
 struct ScanSettings
 {
+  Shape shape = duck;
   double pixel_spacing = 0.0115;  ///< distance of neighbouring rays at the shape's centre, in units of the shape
   double noise = 0.1;             ///< standard deviation of a depth, in pixel spacings
   std::uint64_t seed = 0;         ///< of the noise
@@ -38,28 +51,6 @@ constexpr double shape_radius = 1.25;
 constexpr double depth_tolerance = 1e-6;
 /// Scanners lose the return of a surface seen at a flatter angle (here 73 degrees from its normal).
 constexpr double min_cosine = 0.3;
-
-/** \brief Standard normal deviates that are the same on every platform, unlike std::normal_distribution's.
- *
- * Twelve uniform deviates add up to variance 1 and to nearly a Gaussian within three standard deviations.
- */
-class NoiseSource
-{
- public:
-  explicit NoiseSource(std::uint64_t seed) : engine_(seed) {}
-
-  double operator()()
-  {
-    double sum = -6.0;
-    for (int i = 0; i < 12; ++i) {
-      sum += static_cast<double>(engine_() >> 11) * 0x1p-53;
-    }
-    return sum;
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /** \brief Directions of the twelve corners of an icosahedron: every part of a surface faces several of them. */
 std::vector<Vector3d> scanner_directions()
@@ -77,11 +68,11 @@ std::vector<Vector3d> scanner_directions()
 }
 
 /** \brief Depth along a ray by sphere tracing, if it meets the shape. */
-std::optional<double> cast_ray(const Vector3d& origin, const Vector3d& direction)
+std::optional<double> cast_ray(const Shape& shape, const Vector3d& origin, const Vector3d& direction)
 {
   double depth = scanner_distance - 1.1 * shape_radius;
   while (depth < scanner_distance + 1.1 * shape_radius) {
-    const double step = duck_distance_bound(origin + depth * direction);
+    const double step = shape.distance_bound(origin + depth * direction);
     if (step < depth_tolerance) {
       return depth;
     }
@@ -90,23 +81,21 @@ std::optional<double> cast_ray(const Vector3d& origin, const Vector3d& direction
   return std::nullopt;
 }
 
-Vector3d surface_normal(const Vector3d& p)
+Vector3d surface_normal(const Shape& shape, const Vector3d& p)
 {
   constexpr double h = 1e-5;
   Vector3d gradient;
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d offset = h * Vector3d::Unit(axis);
-    gradient[axis] = duck_distance_bound(p + offset) - duck_distance_bound(p - offset);
+    gradient[axis] = shape.distance_bound(p + offset) - shape.distance_bound(p - offset);
   }
   return gradient.normalized();
 }
 
 /** \brief The points that one scanner sees, row by row of its pixel grid. */
-void scan_from(const Vector3d& scanner_direction,
-               const ScanSettings& settings,
-               NoiseSource& noise,
-               std::vector<Vector3d>& points)
+std::vector<Vector3d> scan_from(const Vector3d& scanner_direction, const ScanSettings& settings, NoiseSource& noise)
 {
+  std::vector<Vector3d> points;
   const Vector3d origin = scanner_distance * scanner_direction;
   const Vector3d right = scanner_direction.unitOrthogonal();
   const Vector3d up = scanner_direction.cross(right);
@@ -116,31 +105,23 @@ void scan_from(const Vector3d& scanner_direction,
     for (int column = -half_width; column <= half_width; ++column) {
       const Vector3d target = settings.pixel_spacing * (column * right + row * up);
       const Vector3d ray = (target - origin).normalized();
-      const std::optional<double> depth = cast_ray(origin, ray);
-      if (!depth || -ray.dot(surface_normal(origin + *depth * ray)) < min_cosine) {
+      const std::optional<double> depth = cast_ray(settings.shape, origin, ray);
+      if (!depth || -ray.dot(surface_normal(settings.shape, origin + *depth * ray)) < min_cosine) {
         continue;
       }
-      points.push_back(origin + (*depth + settings.noise * settings.pixel_spacing * noise()) * ray);
+      points.push_back(settings.shape.unit *
+                       (origin + (*depth + settings.noise * settings.pixel_spacing * noise()) * ray));
     }
-  }
-}
-
-std::vector<Vector3d> simulate_scans(const ScanSettings& settings)
-{
-  NoiseSource noise(settings.seed);
-  std::vector<Vector3d> points;
-  for (const Vector3d& direction : scanner_directions()) {
-    scan_from(direction, settings, noise, points);
   }
   return points;
 }
 
 /** \brief Writes a binary little-endian PLY, under another name until it is complete. */
-void write_ply(const std::string& path, const std::vector<Vector3d>& points)
+void write_ply(const std::string& path, const Shape& shape, const std::vector<Vector3d>& points)
 {
   const std::string unfinished = path + ".part";
   std::ofstream file(unfinished, std::ios::binary);
-  file << "ply\nformat binary_little_endian 1.0\ncomment simulated range scans of a rubber duck\nelement vertex "
+  file << "ply\nformat binary_little_endian 1.0\ncomment simulated range scans of " << shape.name << "\nelement vertex "
        << points.size() << "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
   for (const Vector3d& p : points) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -153,6 +134,40 @@ void write_ply(const std::string& path, const std::vector<Vector3d>& points)
     std::remove(unfinished.c_str());
     throw std::runtime_error(path + ": cannot be written; is the directory there, writable and not full?");
   }
+}
+
+/** \brief scan.ply as scan_01.ply. */
+std::string numbered(const std::string& path, std::size_t number)
+{
+  const std::filesystem::path whole(path);
+  const std::string digits = (number < 10 ? "_0" : "_") + std::to_string(number);
+  return (whole.parent_path() / (whole.stem().string() + digits + whole.extension().string())).string();
+}
+
+void write_scans(const ScanSettings& settings, bool separate, const std::string& output)
+{
+  NoiseSource noise(settings.seed);
+  std::vector<Vector3d> merged;
+  std::size_t number = 0;
+  for (const Vector3d& direction : scanner_directions()) {
+    const std::vector<Vector3d> points = scan_from(direction, settings, noise);
+    if (separate) {
+      write_ply(numbered(output, ++number), settings.shape, points);
+    } else {
+      merged.insert(merged.end(), points.begin(), points.end());
+    }
+  }
+  if (!separate) {
+    write_ply(output, settings.shape, merged);
+  }
+}
+
+Shape find_shape(const std::string& name)
+{
+  if (name != "duck" && name != "part") {
+    throw std::invalid_argument("--shape: there is no '" + name + "'; give duck or part");
+  }
+  return name == "duck" ? duck : part;
 }
 
 void check_settings(const ScanSettings& settings)
@@ -170,11 +185,14 @@ int run(int argc, char** argv)
 {
   namespace po = boost::program_options;
   ScanSettings settings;
+  std::string shape = "duck";
   std::string output;
   po::options_description options("Options");
   auto add = options.add_options();
+  add("shape", po::value(&shape)->default_value(shape), "duck, 2 units long, or part, 100 mm long");
+  add("separate", po::bool_switch(), "write the points of each scanner to a file of its own: OUTPUT_01.ply ...");
   add("pixel-spacing,p", po::value(&settings.pixel_spacing)->default_value(settings.pixel_spacing, "0.0115"),
-      "distance of neighbouring rays at the shape's centre; the shape is 2 long");
+      "distance of neighbouring rays at the shape's centre; the shape's length is 2");
   add("noise,n", po::value(&settings.noise)->default_value(settings.noise, "0.1"),
       "standard deviation of a depth, in pixel spacings");
   add("seed,s", po::value(&settings.seed)->default_value(settings.seed), "of the noise");
@@ -189,13 +207,14 @@ int run(int argc, char** argv)
   po::store(po::command_line_parser(argc, argv).options(all).positional(files).run(), values);
   if (values.count("help") != 0) {
     std::cout << "Usage: simulate_scan [options] OUTPUT.ply\n"
-              << "Scans a rubber duck with twelve virtual range scanners and merges the points.\n\n"
+              << "Scans a shape with twelve virtual range scanners and merges the points.\n\n"
               << options;
     return 0;
   }
   po::notify(values);
+  settings.shape = find_shape(shape);
   check_settings(settings);
-  write_ply(output, simulate_scans(settings));
+  write_scans(settings, values["separate"].as<bool>(), output);
   return 0;
 }
 

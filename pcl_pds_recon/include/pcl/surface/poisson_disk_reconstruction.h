@@ -53,6 +53,7 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
 
   /** \brief fast_marching or dijkstra, see setGeodesicSolver(). */
   using GeodesicSolver = pds::GeodesicSolver;
+  /** \brief point or quadric, see setPlacement(). */
   using Placement = pds::Placement;
 
   /** \brief Constructor. The options' defaults suit a clean, dense scan. */

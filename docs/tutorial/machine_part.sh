@@ -1,0 +1,22 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# The commands of the tutorial "A machine part". Runs in an empty folder.
+set -euo pipefail
+
+# [scan]
+simulate_scan --shape part scan.ply
+# [scan]
+
+# [mesh]
+pcl_pds_recon -r 2 --placement quadric scan.ply part.stl
+pcl_pds_compare --weld --expect 'reference_to_mesh.p99<=0.3' --expect 'certificate.genus==5' part.stl scan.ply >report.txt
+# [mesh]
+
+# [program]
+machine_part scan.ply 0.3 part.ply
+# [program]
+
+# [view]
+pcl_pds_viewer --camera 30,35,1.2,z --size 400x340 --show mesh,edges --screenshot machine_part.png part.ply
+pcl_pds_viewer --camera 210,60,1.2,z --size 400x340 --show mesh,loops --screenshot gap.png part.ply
+# [view]

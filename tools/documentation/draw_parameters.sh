@@ -1,0 +1,58 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Draws the pictures of docs/parameters.md: what each option does to a simulated scan.
+#   draw_parameters.sh BUILD_DIR OUTPUT_DIR
+set -euo pipefail
+build=$(realpath "$1") output=$(realpath "$2")
+cd "$(dirname "$0")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+duck=$PWD/data/duck_scan.ply
+"$build/tools/generate/simulate_scan" --noise 0.7 "$work/noisy.ply"
+"$build/tools/generate/simulate_terrain" "$work/terrain.las"
+"$build/tools/generate/simulate_scan" --shape part "$work/part.ply"
+
+camera=35,15,1.6,z layers=mesh,edges,loops
+show() # PICTURE FILE
+{
+  env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" --show "$layers" --camera "$camera" --size 300x260 \
+    --screenshot "$output/$1.png" "$2"
+}
+draw() # PICTURE SCAN OPTION...
+{
+  local picture=$1 scan=$2
+  shift 2
+  "$build/tools/pcl_pds_recon" --quiet "$@" "$scan" "$work/mesh.ply"
+  show "$picture" "$work/mesh.ply"
+}
+
+for k in 8 15 30; do draw "k_neighbors_$k" "$work/noisy.ply" -k "$k"; done
+for f in 2 3 6; do draw "radius_factor_$f" "$duck" -f "$f"; done
+for r in 0.05 0.1; do draw "radius_$r" "$duck" -r "$r"; done
+for a in 0 0.3 1; do draw "adaptive_$a" "$duck" -f 5 -a "$a"; done
+for s in 0 1; do draw "seed_$s" "$duck" -f 6 --seed "$s"; done
+
+camera=35,40,1.2,z layers=mesh
+for p in point quadric; do draw "placement_$p" "$work/part.ply" -f 4 --placement "$p"; done
+camera=35,15,1.6,z layers=mesh,edges,loops
+
+# A hole in the scan: its points in a ball on the side of the body are left out.
+"$build/tools/pcl_pds_recon" --quiet --ascii --voronoi "$work/voronoi.ply" "$duck" "$work/mesh.ply"
+sed '1,/^end_header/d' "$work/voronoi.ply" |
+  awk '{ d = ($1 - 0.45)^2 + ($2 + 0.5)^2 + ($3 + 0.2)^2; if (d > 0.008) print $1, $2, $3 }' >"$work/hole.xyz"
+for size in 5 15; do draw "hole_size_$size" "$work/hole.xyz" -f 4 --hole-size "$size"; done
+
+# Witness points, from the field that --voronoi writes.
+layers=cloud
+for threshold in 0.02 0.1 0.4; do
+  "$build/tools/pcl_pds_recon" --quiet --ascii -f 6 --voronoi-threshold "$threshold" --voronoi "$work/voronoi.ply" \
+    "$duck" "$work/mesh.ply"
+  column=$(sed '/^end_header/,$d' "$work/voronoi.ply" | grep '^property' | grep -n ' witness$' | cut -d: -f1)
+  sed '1,/^end_header/d' "$work/voronoi.ply" | awk -v c="$column" '$c == 1 { print $1, $2, $3 }' >"$work/witness.xyz"
+  show "voronoi_threshold_$threshold" "$work/witness.xyz"
+done
+
+camera=35,25,1.4,z layers=mesh
+draw class_all "$work/terrain.las"
+draw class_ground "$work/terrain.las" --class 2,9
