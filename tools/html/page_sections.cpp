@@ -229,7 +229,7 @@ std::string viewer_html(const ReportPage& page)
   return fmt::format(
       R"(<model-viewer id="mesh" alt="The mesh" camera-controls touch-action="pan-y" interaction-prompt="none" )"
       R"(shadow-intensity="0.7" exposure="0.9" tone-mapping="neutral" min-field-of-view="1deg" )"
-      R"(orientation="0deg {}deg 0deg" camera-orbit="{}deg {}deg auto" )"
+      R"(orientation="0deg {}deg 0deg" camera-orbit="{}deg {}deg 90%" )"
       R"(src="data:model/gltf-binary;base64,{}"></model-viewer>)"
       R"(<p class="hint">Drag to turn, two fingers or the right button to move, wheel to come closer. )"
       R"(<label>Up is <select id="up"><option{}>y</option><option{}>z</option></select></label></p>)",

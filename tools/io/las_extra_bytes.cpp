@@ -9,6 +9,7 @@
 #include <array>
 #include <cstring>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace pds
@@ -24,6 +25,7 @@ std::string find_descriptions(const ByteSource& source, const LasHeader& header)
 {
   constexpr std::size_t head_bytes = 54;
   constexpr std::size_t user_at = 2;
+  constexpr std::string_view user("LASF_Spec\0", 10);  // with the zero that ends it
   constexpr std::size_t record_id_at = 18;
   constexpr std::size_t length_at = 20;
   constexpr std::uint16_t extra_bytes_record = 4;
@@ -40,7 +42,7 @@ std::string find_descriptions(const ByteSource& source, const LasHeader& header)
     std::memcpy(&id, head.data() + record_id_at, sizeof id);
     std::memcpy(&length, head.data() + length_at, sizeof length);
     place += head_bytes;
-    if (id == extra_bytes_record && std::strncmp(head.data() + user_at, "LASF_Spec", 16) == 0) {
+    if (id == extra_bytes_record && std::string_view(head.data() + user_at, user.size()) == user) {
       std::string content(std::min<std::size_t>(length, header.begin - place), '\0');
       source.read(place, content.data(), content.size());
       return content;

@@ -100,6 +100,7 @@ std::vector<Field> standard_fields(const LasLayout& layout, std::uint16_t diviso
 std::vector<std::string> names_of(const std::vector<Field>& fields)
 {
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const Field& field : fields) {
     names.push_back(field.name);
   }
