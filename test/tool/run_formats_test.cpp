@@ -169,7 +169,7 @@ TEST_F(RunFormats, complain_of_files_that_are_empty_cut_short_or_whose_header_li
     const std::string in_header = sample.good.substr(0, is_text && sample.good.rfind("ply", 0) != 0 ? 3 : 40);
     for (const std::string& bytes : {std::string(), in_header, in_data, sample.lying}) {
       write(sample.name, bytes);
-      EXPECT_EQ(run(std::string("-q ") + sample.name + " out.vtp"), 1)
+      EXPECT_EQ(run(std::string("-q ") + sample.name + " out.obj"), 1)
           << sample.name << ", " << bytes.size() << " bytes";
       EXPECT_TRUE(complained_of(std::string(sample.name) + ": ")) << bytes.size();
       EXPECT_TRUE(complained_of("; ")) << sample.name << ": how to mend it";
