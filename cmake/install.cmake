@@ -33,7 +33,7 @@ if(TARGET pcl_pds_recon_tool)
     endif()
   endforeach()
 endif()
-if(TARGET man)
+if(manual_pages)
   install(FILES ${manual_pages} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tools)
 endif()
 
