@@ -67,12 +67,12 @@ TEST(Histogram, is_summed_up)
 TEST(Histogram, has_round_marks_within_its_range)
 {
   EXPECT_EQ(axis_marks(0, 60), (std::vector<double>{0, 10, 20, 30, 40, 50, 60}));
-  EXPECT_EQ(axis_marks(-2, 2), (std::vector<double>{-2, -1.5, -1, -0.5, 0, 0.5, 1, 1.5, 2}));
+  EXPECT_EQ(axis_marks(-2, 2), (std::vector<double>{-2, -1, 0, 1, 2}));
   EXPECT_EQ(axis_marks(1, 1), std::vector<double>{1});
   for (const double size : {1e-300, 3e-7, 0.07, 1.0, 1e9}) {
     const std::vector<double> marks = axis_marks(0.3 * size, 1.7 * size);
     EXPECT_GE(marks.size(), 3U) << size;
-    EXPECT_LE(marks.size(), 9U) << size;
+    EXPECT_LE(marks.size(), 7U) << size;
     EXPECT_GE(marks.front(), 0.3 * size * (1 - 1e-6));
     EXPECT_LE(marks.back(), 1.7 * size * (1 + 1e-6));
   }

@@ -73,7 +73,7 @@ double percentile(const std::vector<double>& values, double share)
 
 std::vector<double> axis_marks(double low, double high)
 {
-  constexpr double most = 8;  // steps
+  constexpr double most = 6;  // steps: labels of six characters do not touch
   const double least_step = (high - low) / most;
   if (!(least_step > 0 && std::isfinite(least_step))) {
     return {low};

@@ -32,7 +32,7 @@ struct ValueSummary
 /** \brief The value that \a share of the finite values do not exceed; 0 if there are none. */
 [[nodiscard]] double percentile(const std::vector<double>& values, double share);
 
-/** \brief Round numbers from \a low to \a high, at most ten, for the marks of an axis. */
+/** \brief Round numbers from \a low to \a high, at most seven, for the marks of an axis. */
 [[nodiscard]] std::vector<double> axis_marks(double low, double high);
 
 /** \brief The histogram as an SVG element with its axis. \param unit what stands after the numbers */
