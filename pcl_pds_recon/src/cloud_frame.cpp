@@ -70,20 +70,59 @@ struct Survey
   }
 };
 
+/** \brief Finite points, a few at a time and axis by axis: loops over them become vector code. */
+struct Columns
+{
+  static constexpr std::size_t capacity = 256;
+
+  /** \brief Takes the points begin ... end - 1 of the cloud, at most as many as there is room for. */
+  void load(const PointCloudView& cloud, std::size_t begin, std::size_t end)
+  {
+    count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d p = cloud.positions[i];
+      for (int axis = 0; axis < 3; ++axis) value[axis][count] = p[axis];
+      count += p.allFinite() ? 1U : 0U;
+    }
+  }
+
+  double value[3][capacity];
+  std::size_t count = 0;
+};
+
+/** \brief Adds one axis of the points to what was found. */
+void survey_axis(const Columns& columns, std::size_t axis, double low, double high, Survey& found)
+{
+  const double* const value = columns.value[axis];
+  double least = found.bounds.low[static_cast<int>(axis)];
+  double greatest = found.bounds.high[static_cast<int>(axis)];
+  std::size_t below = 0;
+  double bracketed[Columns::capacity];
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < columns.count; ++i) {
+    least = value[i] < least ? value[i] : least;
+    greatest = value[i] > greatest ? value[i] : greatest;
+    below += value[i] < low ? 1U : 0U;
+    // Without a branch: every value is written, and stays if the next place is beyond it.
+    bracketed[count] = value[i];
+    count += (value[i] >= low) & (value[i] <= high) ? 1U : 0U;
+  }
+  found.bounds.low[static_cast<int>(axis)] = least;
+  found.bounds.high[static_cast<int>(axis)] = greatest;
+  found.below[axis] += below;
+  found.bracketed[axis].insert(found.bracketed[axis].end(), bracketed, bracketed + count);
+}
+
 Survey survey(const PointCloudView& cloud, const Brackets& brackets, const Parallel& parallel)
 {
   return parallel.sum(cloud.size, block, [&](std::size_t begin, std::size_t end) {
     Survey found;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3d p = cloud.positions[i];
-      if (!p.allFinite()) continue;
-      ++found.finite;
-      found.bounds.extend(p);
-      for (int axis = 0; axis < 3; ++axis) {
-        found.below[static_cast<std::size_t>(axis)] += p[axis] < brackets.low[axis] ? 1U : 0U;
-        if (p[axis] >= brackets.low[axis] && p[axis] <= brackets.high[axis])
-          found.bracketed[static_cast<std::size_t>(axis)].push_back(p[axis]);
-      }
+    Columns columns;
+    for (std::size_t first = begin; first < end; first += Columns::capacity) {
+      columns.load(cloud, first, std::min(first + Columns::capacity, end));
+      found.finite += columns.count;
+      for (int axis = 0; axis < 3; ++axis)
+        survey_axis(columns, static_cast<std::size_t>(axis), brackets.low[axis], brackets.high[axis], found);
     }
     return found;
   });

@@ -72,7 +72,7 @@ class FramedCloud
   {
   }
 
-  [[nodiscard]] bool finite(std::uint32_t index) const { return cloud_.positions[index].allFinite(); }
+  void prefetch(std::uint32_t index) const { cloud_.positions.prefetch(index); }
 
   /** \brief A point of the cloud in the frame, at the precision it is kept with.
    *
@@ -245,12 +245,17 @@ void assign_ranks(const FramedCloud& cloud, const KeyedPoint* sorted, OrderedPoi
   std::size_t places = 0;
   for (std::size_t& before : places_before) places += std::exchange(before, places);
 
+  constexpr std::size_t ahead = 32;  // points that get their place while one comes from memory
   points.merged_points = points.valid_points - places;
   points.position.resize(places);
   points.input_index.resize(places);
   parallel.blocks(points.valid_points, block, [&](std::size_t begin, std::size_t end, unsigned) {
     std::size_t next = places_before[begin / block];
     for (std::size_t i = begin; i < end; ++i) {
+      if (i + ahead < end) {
+        cloud.prefetch(sorted[i + ahead].index);
+        __builtin_prefetch(&points.rank_of_input[sorted[i + ahead].index], 1);
+      }
       const std::uint32_t index = sorted[i].index;
       if (new_place(i)) {
         points.position[next] = cloud.position(index);

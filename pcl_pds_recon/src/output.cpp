@@ -2,7 +2,9 @@
 #include "output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include "bucket_sort.h"
 #include "parallel_parts.h"
 
@@ -39,25 +41,35 @@ struct Label
   float distance;
 };
 
-/** \brief Label of a point that thinning left out, from the nearest seeds of its representative: the two see a seed in
- * nearly the same direction, so their distances from it go like the straight ones. */
-Label label_beside(const Eigen::Vector3f& point,
-                   const Eigen::Vector3f& representative,
-                   const NearestSeeds& nearest,
-                   const OrderedPoints& points,
-                   const PoissonDiskSampling& sampling)
+/** \brief Labels points that thinning left out. */
+class LabelsBeside
 {
-  Label label{nearest.seed[0], NearestSeeds::infinity};
-  for (std::size_t i = 0; i < NearestSeeds::capacity; ++i) {
-    if (nearest.seed[i] == NearestSeeds::none) break;
-    const Eigen::Vector3f& seed = points.position[sampling.seeds[nearest.seed[i]]];
-    const float there = (representative - seed).norm();
-    const float here = (point - seed).norm();
-    const float distance = there > 0 ? here * (nearest.distance[i] / there) : here;
-    if (distance < label.distance) label = {nearest.seed[i], distance};
+ public:
+  LabelsBeside(const OrderedPoints& points, const PoissonDiskSampling& sampling)
+  {
+    for (const std::uint32_t rank : sampling.seeds) seed_position_.push_back(points.position[rank]);
   }
-  return label;
-}
+
+  /** \brief From the nearest seeds of the representative: it and the point see a seed in nearly the same direction, so
+   * their distances from it go like the straight ones. */
+  [[nodiscard]] Label label(const Eigen::Vector3f& point,
+                            const Eigen::Vector3f& representative,
+                            const NearestSeeds& nearest) const
+  {
+    Label label{nearest.seed[0], NearestSeeds::infinity};
+    for (std::size_t i = 0; i < NearestSeeds::capacity && nearest.seed[i] != NearestSeeds::none; ++i) {
+      const Eigen::Vector3f& seed = seed_position_[nearest.seed[i]];
+      const float there = (representative - seed).squaredNorm();
+      const float here = (point - seed).squaredNorm();
+      const float distance = there > 0 ? nearest.distance[i] * std::sqrt(here / there) : std::sqrt(here);
+      if (distance < label.distance) label = {nearest.seed[i], distance};
+    }
+    return label;
+  }
+
+ private:
+  std::vector<Eigen::Vector3f> seed_position_;  ///< side by side: all points' would not stay in the cache
+};
 
 }  // namespace
 
@@ -101,6 +113,8 @@ void describe_points(const PointCloudView& cloud,
   const auto place_of = [&](std::size_t i) -> Eigen::Vector3f {
     return ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
   };
+  std::optional<LabelsBeside> beside;
+  if (points.thinned_points > 0) beside.emplace(points, sampling);
   const auto describe = [&](std::size_t i, Indices& witnesses) {
     const std::uint32_t rank = points.rank_of_input[i];
     if (rank == no_rank) return;
@@ -109,16 +123,26 @@ void describe_points(const PointCloudView& cloud,
     if (points.thinned_points > 0 && points.input_index[rank] != i) {
       const Eigen::Vector3f position = place_of(i);
       if (position != place_of(points.input_index[rank]))
-        label = label_beside(position, points.position[rank], nearest, points, sampling);
+        label = beside->label(position, points.position[rank], nearest);
     }
     result.voronoi.label[i] = number_of_seed[label.seed];
     result.voronoi.distance[i] = static_cast<float>(static_cast<double>(label.distance) * points.unit);
     if (voronoi.witness[rank] != 0) witnesses.push_back(static_cast<std::uint32_t>(i));
   };
-  for (const Indices& part :
-       parallel_parts<Indices>(n, block, parallel, [&describe](std::size_t begin, std::size_t end, Indices&witnesses) {
-         for (std::size_t i = begin; i < end; ++i) describe(i, witnesses);
-       }))
+  const auto fetch = [&](std::size_t i) {
+    const std::uint32_t rank = points.rank_of_input[i];
+    if (rank == no_rank) return;
+    __builtin_prefetch(&sampling.nearest[rank]);
+    __builtin_prefetch(&points.position[rank]);
+  };
+  constexpr std::size_t ahead = 32;  // points that are described while one's seeds come from memory
+  const auto describe_block = [&](std::size_t begin, std::size_t end, Indices& witnesses) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + ahead < end) fetch(i + ahead);
+      describe(i, witnesses);
+    }
+  };
+  for (const Indices& part : parallel_parts<Indices>(n, block, parallel, describe_block))
     append(result.witness_points, part);
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include <pcl_pds_recon/parallel.h>
+#include <pcl_pds_recon/point_array.h>
 
 namespace pds
 {
@@ -27,6 +29,20 @@ template <typename Item>
 void append(std::vector<Item>& all, const std::vector<Item>& more)
 {
   all.insert(all.end(), more.begin(), more.end());
+}
+
+/** \brief All items in one list. */
+template <typename Item>
+PointArray<Item> joined(std::vector<std::vector<Item>> parts, const Parallel& parallel)
+{
+  std::vector<std::size_t> begin{0};
+  for (const std::vector<Item>& part : parts) begin.push_back(begin.back() + part.size());
+  PointArray<Item> all(begin.back());
+  parallel.each(parts.size(), 1, [&](std::size_t p) {
+    std::copy(parts[p].begin(), parts[p].end(), all.begin() + static_cast<std::ptrdiff_t>(begin[p]));
+    std::vector<Item>().swap(parts[p]);  // both lists whole would take twice the memory
+  });
+  return all;
 }
 
 }  // namespace pds

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <tuple>
+#include "parallel_parts.h"
 
 namespace pds
 {
@@ -183,19 +184,18 @@ class Schedule
   void collect_runs(const OrderedPoints& points, const BlockGrid& grid, const Parallel& parallel)
   {
     constexpr std::size_t points_per_task = 16384;
-    std::vector<std::vector<BlockRun>> runs_of_task((points.size() + points_per_task - 1) / points_per_task);
-    parallel.blocks(points.size(), points_per_task, [&](std::size_t begin, std::size_t end, unsigned) {
-      std::vector<BlockRun>& runs = runs_of_task[begin / points_per_task];
+    using Runs = std::vector<BlockRun>;
+    const auto find = [&](std::size_t begin, std::size_t end, Runs& runs) {
       for (auto point = static_cast<std::uint32_t>(begin); point < end; ++point) {
         const std::uint64_t block = grid.block_of(points.position[point]);
         if (runs.empty() || runs.back().block != block) runs.push_back({block, {point, point}});
         runs.back().points.end = point + 1;
       }
-    });
-    for (const std::vector<BlockRun>& runs : runs_of_task) runs_.insert(runs_.end(), runs.begin(), runs.end());
+    };
+    runs_ = joined(parallel_parts<Runs>(points.size(), points_per_task, parallel, find), parallel);
   }
 
-  std::vector<BlockRun> runs_;          ///< by block, then points
+  PointArray<BlockRun> runs_;           ///< by block, then points
   std::vector<std::uint64_t> cell_;     ///< numbers, ascending, so by colour
   std::vector<std::size_t> run_begin_;  ///< begin of each cell's runs; size cells + 1
   std::array<std::size_t, color_count + 1> color_begin_{};

@@ -2,7 +2,9 @@
 #include <pcl_pds_recon/thinning.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include "parallel_parts.h"
 #include "radix_sort.h"
 
 namespace pds
@@ -14,7 +16,12 @@ constexpr std::size_t block = 16384;      // points per block
 constexpr int most_axis_bits = 21;        // of a voxel's number along an axis; three fit a 64-bit key
 constexpr double least_gain = 2.0;        // points per voxel; thinning by less does not pay
 constexpr std::size_t least_left = 1000;  // points; fewer say nothing about a surface, however large the radius
-constexpr double least_run_gain = 1.3;    // points per run; where runs are shorter, voxels hold hardly two points
+
+// Before all points of a large cloud are grouped, some stretches of it tell what that would gain: somewhat too little,
+// for they have but a part of the points of the voxels at their ends.
+constexpr std::size_t stretches = 16;
+constexpr std::size_t stretch = 2048;        // points
+constexpr double least_expected_gain = 1.5;  // points per voxel
 
 /** \brief Consecutive points in one voxel. */
 struct VoxelRun
@@ -52,32 +59,44 @@ class VoxelGrid
 /** \brief Runs by voxel, those of a voxel by rank. Points follow a Morton curve, so runs are few. */
 struct VoxelRuns
 {
-  std::vector<VoxelRun> runs;
+  PointArray<VoxelRun> runs;
   std::vector<std::size_t> voxel_begin;  ///< first run of every voxel; size voxels + 1
 
   [[nodiscard]] std::size_t voxels() const { return voxel_begin.size() - 1; }
 };
 
-std::vector<VoxelRun> find_runs(const OrderedPoints& points, const VoxelGrid& grid, const Parallel& parallel)
+PointArray<VoxelRun> find_runs(const OrderedPoints& points, const VoxelGrid& grid, const Parallel& parallel)
 {
-  std::vector<std::vector<VoxelRun>> runs_of_block((points.size() + block - 1) / block);
-  parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
-    std::vector<VoxelRun>& runs = runs_of_block[begin / block];
+  using Runs = std::vector<VoxelRun>;
+  const auto find = [&](std::size_t begin, std::size_t end, Runs& runs) {
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
       const std::uint64_t voxel = grid.voxel_of(points.position[i]);
       if (runs.empty() || runs.back().voxel != voxel) runs.push_back({voxel, i, i});
       runs.back().end = i + 1;
     }
-  });
-  std::vector<VoxelRun> all;
-  for (const std::vector<VoxelRun>& runs : runs_of_block) all.insert(all.end(), runs.begin(), runs.end());
-  return all;
+  };
+  return joined(parallel_parts<Runs>(points.size(), block, parallel, find), parallel);
 }
 
-VoxelRuns group_by_voxel(std::vector<VoxelRun> runs, const VoxelGrid& grid, const Parallel& parallel)
+/** \brief False if so many points share a voxel in no part of a large cloud that grouping them could pay. Points follow
+ * a Morton curve, so a stretch of them is a compact piece. */
+bool may_pay(const OrderedPoints& points, const VoxelGrid& grid, const Parallel& parallel)
+{
+  if (points.size() < 4 * stretches * stretch) return true;
+  const auto voxels = parallel.sum(stretches, 1, [&](std::size_t number, std::size_t) {
+    const std::size_t first = number * (points.size() / stretches);
+    std::array<std::uint64_t, stretch> voxel;
+    for (std::size_t i = 0; i < stretch; ++i) voxel[i] = grid.voxel_of(points.position[first + i]);
+    std::sort(voxel.begin(), voxel.end());
+    return static_cast<std::size_t>(std::unique(voxel.begin(), voxel.end()) - voxel.begin());
+  });
+  return static_cast<double>(stretches * stretch) >= least_expected_gain * static_cast<double>(voxels);
+}
+
+VoxelRuns group_by_voxel(PointArray<VoxelRun> runs, const VoxelGrid& grid, const Parallel& parallel)
 {
   VoxelRuns voxels;
-  std::vector<VoxelRun> other(runs.size());
+  PointArray<VoxelRun> other(runs.size());
   const VoxelRun* sorted = radix_sort(
       runs.data(), other.data(), runs.size(), {0, grid.key_bits()}, [](const VoxelRun& run) { return run.voxel; },
       parallel);
@@ -110,11 +129,11 @@ std::uint32_t middle_point(const OrderedPoints& points, const VoxelRun* begin, c
 }
 
 /** \brief For each point, the one that represents it. */
-std::vector<std::uint32_t> choose_representatives(const OrderedPoints& points,
-                                                  const VoxelRuns& voxels,
-                                                  const Parallel& parallel)
+PointArray<std::uint32_t> choose_representatives(const OrderedPoints& points,
+                                                 const VoxelRuns& voxels,
+                                                 const Parallel& parallel)
 {
-  std::vector<std::uint32_t> representative(points.size());
+  PointArray<std::uint32_t> representative(points.size());
   constexpr std::size_t voxels_per_block = 1024;
   parallel.each(voxels.voxels(), voxels_per_block, [&](std::size_t voxel) {
     const VoxelRun* begin = voxels.runs.data() + voxels.voxel_begin[voxel];
@@ -128,11 +147,11 @@ std::vector<std::uint32_t> choose_representatives(const OrderedPoints& points,
 
 /** \brief The points that represent themselves, and all that the others are represented by. */
 OrderedPoints keep_representatives(OrderedPoints points,
-                                   const std::vector<std::uint32_t>& representative,
+                                   const PointArray<std::uint32_t>& representative,
                                    std::size_t kept,
                                    const Parallel& parallel)
 {
-  std::vector<std::uint32_t> new_rank(points.size());
+  PointArray<std::uint32_t> new_rank(points.size());
   OrderedPoints left;
   left.position.reserve(kept);
   left.input_index.reserve(kept);
@@ -162,13 +181,11 @@ OrderedPoints thin_points(OrderedPoints points, double voxel_side, const Paralle
   const auto n = static_cast<double>(points.size());
   for (double side = voxel_side; points.size() >= 2 * least_left; side /= 2) {
     const VoxelGrid grid(side);
-    if (!grid.usable()) break;
-    std::vector<VoxelRun> runs = find_runs(points, grid, parallel);
-    if (n < least_run_gain * static_cast<double>(runs.size())) break;
-    const VoxelRuns voxels = group_by_voxel(std::move(runs), grid, parallel);
+    if (!grid.usable() || !may_pay(points, grid, parallel)) break;
+    const VoxelRuns voxels = group_by_voxel(find_runs(points, grid, parallel), grid, parallel);
     if (n < least_gain * static_cast<double>(voxels.voxels())) break;
     if (voxels.voxels() < least_left) continue;
-    const std::vector<std::uint32_t> representative = choose_representatives(points, voxels, parallel);
+    const PointArray<std::uint32_t> representative = choose_representatives(points, voxels, parallel);
     return keep_representatives(std::move(points), representative, voxels.voxels(), parallel);
   }
   return points;

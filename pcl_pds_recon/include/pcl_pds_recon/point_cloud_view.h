@@ -51,6 +51,9 @@ class Vector3View
     return {f[0], f[1], f[2]};
   }
 
+  /** \brief Asks for a triple that is needed soon to be brought from memory. */
+  void prefetch(std::size_t i) const { __builtin_prefetch(data_ + i * stride_); }
+
  private:
   const std::uint8_t* data_ = nullptr;
   std::size_t stride_ = 0;
