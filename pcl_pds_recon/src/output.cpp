@@ -110,9 +110,6 @@ void describe_points(const PointCloudView& cloud,
   result.voronoi.label.resize(n, no_label);
   result.voronoi.distance.resize(n, std::numeric_limits<float>::quiet_NaN());
   if (sampling.nearest.empty()) return;
-  const auto place_of = [&](std::size_t i) -> Eigen::Vector3f {
-    return ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
-  };
   std::optional<LabelsBeside> beside;
   if (points.thinned_points > 0) beside.emplace(points, sampling);
   const auto describe = [&](std::size_t i, Indices& witnesses) {
@@ -121,9 +118,8 @@ void describe_points(const PointCloudView& cloud,
     const NearestSeeds& nearest = sampling.nearest[rank];
     Label label{nearest.seed[0], nearest.distance[0]};
     if (points.thinned_points > 0 && points.input_index[rank] != i) {
-      const Eigen::Vector3f position = place_of(i);
-      if (position != place_of(points.input_index[rank]))
-        label = beside->label(position, points.position[rank], nearest);
+      const Eigen::Vector3f position = ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
+      label = beside->label(position, points.position[rank], nearest);
     }
     result.voronoi.label[i] = number_of_seed[label.seed];
     result.voronoi.distance[i] = static_cast<float>(static_cast<double>(label.distance) * points.unit);
