@@ -42,6 +42,7 @@ std::string to_json(const Report& report)
                      {"orientable", report.orientable},
                      {"filled_holes", report.filled_holes},
                      {"merged_points", report.merged_points},
+                     {"outliers", report.outliers},
                      {"thinned_points", report.thinned_points},
                      {"smoothed", report.smoothed},
                      {"refined_seeds", report.refined_seeds},

@@ -6,6 +6,8 @@
 #include <pcl_pds_recon/neighbor_graph.h>
 #include <pcl_pds_recon/ordered_points.h>
 #include <pcl_pds_recon/orientation.h>
+#include <pcl_pds_recon/outliers.h>
+#include <pcl_pds_recon/outward_normals.h>
 #include <pcl_pds_recon/placement.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/reconstruction.h>
@@ -26,6 +28,7 @@ namespace pds
 namespace
 {
 
+constexpr int most_sortings = 2;        // of outliers; more find little
 constexpr int most_smoothings = 4;      // noise of one interval takes three; what is left then is no surface
 constexpr double largest_radius = 1e9;  // units of position, whose box has side 1: beyond any disk, finite as a float
 
@@ -62,12 +65,11 @@ struct Neighborhoods
 {
   OrderedPoints points;
   NeighborGraph graph;
-  bool noisy = false;   ///< then the points' positions are smoothed, and not those of the cloud
   double interval = 0;  ///< sampling interval that the radius refers to: of the cloud before thinning, if that is known
 };
 
-/** \brief Orders, thins, smooths if they are noisy, and joins the points. A radius in sampling intervals is known only
- * once all are joined. */
+/** \brief Orders, thins, sorts out, smooths if they are noisy, and joins the points. A radius in sampling intervals is
+ * known only once all are joined. */
 Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& options, const Parallel& parallel)
 {
   Neighborhoods found;
@@ -79,15 +81,22 @@ Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& opt
     found.graph = {};  // before the next one is made: two of them would be the peak of the run's memory
     // A search that the caller brings knows nothing of smoothed positions.
     PointCloudView searched = cloud;
-    if (found.noisy) searched.neighbor_search = nullptr;
+    if (found.points.smoothed) searched.neighbor_search = nullptr;
     found.graph = build_neighbor_graph(found.points, searched, options.k_neighbors, parallel);
   };
   found.points = order_points(cloud, parallel);
   if (options.radius > 0) thin(options.radius / found.points.unit);
   join();
+  // Without their company, more outliers stand alone.
+  for (int round = 0; round < most_sortings; ++round) {
+    const std::vector<std::uint8_t> outlier = find_outliers(found.points, found.graph, parallel);
+    if (outlier.empty()) break;
+    found.points = without_outliers(std::move(found.points), outlier, parallel);
+    join();
+  }
   for (int pass = 0; pass < most_smoothings && is_noisy(found.points, found.graph, parallel); ++pass) {
-    found.noisy = true;
     found.points.position = smooth_positions(found.points, found.graph, parallel);
+    found.points.smoothed = true;
     join();
   }
   found.interval = found.graph.sampling_interval;
@@ -111,7 +120,7 @@ Metric choose_metric(const Neighborhoods& found,
                      const Parallel& parallel,
                      Report& report)
 {
-  const auto& [points, graph, noisy, interval_of_cloud] = found;
+  const auto& [points, graph, interval_of_cloud] = found;
   Metric metric;
   const double interval = graph.sampling_interval;
   if (interval <= 0) return metric;
@@ -200,7 +209,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   // Steps 2 to 5: seeds and their disks.
   clock.start("sampling", 0.5, report.seconds.sampling);
   const std::vector<std::uint8_t> features =
-      found.noisy ? middle_ranks(cloud, points, parallel) : feature_ranks(surface, graph, parallel);
+      points.smoothed ? middle_ranks(cloud, points, parallel) : feature_ranks(surface, graph, parallel);
   PoissonDiskSampling sampling;
   if (metric.radius > 0)
     sampling = sample_poisson_disks(points, graph, surface, metric.weights, features, metric.radius,
@@ -218,7 +227,7 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   // Step 8: triangles, holes.
   clock.start("faces", 0.85, report.seconds.faces);
   const SeedFaces faces = trace_faces(seed_graph, seeds, parallel);
-  TriangleComplex complex(seeds.position, parallel);
+  TriangleComplex complex(seeds.position, parallel, outward_normals(cloud, points, seeds, voronoi, parallel));
   const std::vector<Triangle> one_sided = add_dual_triangles(complex, faces.triangles, voronoi.triples);
   clock.start("holes", 0.9, report.seconds.holes);
   FillLimits limits;
@@ -246,8 +255,9 @@ Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, 
   report.input_points = cloud.size;
   report.valid_points = points.valid_points;
   report.merged_points = points.merged_points;
+  report.outliers = points.outliers;
   report.thinned_points = points.thinned_points;
-  report.smoothed = found.noisy;
+  report.smoothed = points.smoothed;
   report.k = options.k_neighbors;
   report.threads = parallel.threads();
   report.peak_rss_bytes = peak_resident_bytes();

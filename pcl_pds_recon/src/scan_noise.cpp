@@ -9,6 +9,8 @@ namespace pds
 namespace
 {
 
+using Vectors = PointArray<Eigen::Vector3f>;  ///< by point
+
 constexpr std::size_t block = 4096;  // points per block
 
 // Thickness of a neighbourhood of 15 points on noise of a tenth of the sampling interval. Nine in ten points of a clean
@@ -17,6 +19,7 @@ constexpr double visible = 0.1;
 constexpr double filled = 0.3;        // a neighbourhood this thick may lie wholly within the noise
 constexpr double thin = 0.2;          // a plane this thin needs no wider one
 constexpr double fading = 0.9;        // noise falls by more when one looks wider; creases stay what they are
+constexpr int common_rounds = 3;      // of averaging: what noise has in common with 50 points around is little
 constexpr double noisy_share = 0.25;  // of the points, from which on a cloud counts as noisy; clean scans have 0.01
 
 /** \brief A point's neighbours and theirs, those weighing most that are most often neighbours. */
@@ -42,6 +45,37 @@ bool has_noise(const OrderedPoints& points, const NeighborGraph& graph, std::siz
   return wide.plane().thickness < fading * near;
 }
 
+/** \brief How each point gets to the plane of its neighbours or, where noise fills these, of their neighbours. */
+Vectors moves_to_planes(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
+{
+  PointArray<Spread> around(points.size());
+  parallel.each(points.size(), block, [&](std::size_t i) { around[i] = spread_around(points, graph, i); });
+  Vectors move(points.size());
+  parallel.each(points.size(), block, [&](std::size_t i) {
+    FittedPlane plane = around[i].plane();
+    if (plane.thickness > thin) {
+      SpreadSum sum(around[i]);
+      for (const std::uint32_t j : graph.nearest(i)) sum.add(around[j]);
+      const FittedPlane wider = sum.mean().plane();
+      if (wider.thickness < fading * plane.thickness) plane = wider;
+    }
+    move[i] = plane.project(points.position[i]) - points.position[i];
+  });
+  return move;
+}
+
+/** \brief Each point's mean with its own neighbours. */
+Vectors averaged(const Vectors& of_points, const NeighborGraph& graph, const Parallel& parallel)
+{
+  Vectors mean(of_points.size());
+  parallel.each(mean.size(), block, [&](std::size_t i) {
+    Eigen::Vector3f sum = of_points[i];
+    for (const std::uint32_t j : graph.nearest(i)) sum += of_points[j];
+    mean[i] = sum / static_cast<float>(graph.nearest(i).size() + 1);
+  });
+  return mean;
+}
+
 }  // namespace
 
 bool is_noisy(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
@@ -63,19 +97,13 @@ PointArray<Eigen::Vector3f> smooth_positions(const OrderedPoints& points,
                                              const NeighborGraph& graph,
                                              const Parallel& parallel)
 {
-  PointArray<Spread> around(points.size());
-  parallel.each(points.size(), block, [&](std::size_t i) { around[i] = spread_around(points, graph, i); });
-  PointArray<Eigen::Vector3f> smooth(points.size());
-  parallel.each(points.size(), block, [&](std::size_t i) {
-    FittedPlane plane = around[i].plane();
-    if (plane.thickness > thin) {
-      SpreadSum sum(around[i]);
-      for (const std::uint32_t j : graph.nearest(i)) sum.add(around[j]);
-      const FittedPlane wider = sum.mean().plane();
-      if (wider.thickness < fading * plane.thickness) plane = wider;
-    }
+  Vectors smooth = moves_to_planes(points, graph, parallel);
+  // Noise has no preference for either side, so what neighbours have in common is the bend of the surface.
+  Vectors common = smooth;
+  for (int round = 0; round < common_rounds; ++round) common = averaged(common, graph, parallel);
+  parallel.each(smooth.size(), block, [&](std::size_t i) {
     // Within the box, which is what later stages count on.
-    smooth[i] = plane.project(points.position[i]).cwiseMax(-0.5F).cwiseMin(0.5F);
+    smooth[i] = (points.position[i] + smooth[i] - common[i]).cwiseMax(-0.5F).cwiseMin(0.5F);
   });
   return smooth;
 }

@@ -170,6 +170,8 @@ OrderedPoints keep_representatives(OrderedPoints points,
   left.unit = points.unit;
   left.valid_points = points.valid_points;
   left.merged_points = points.merged_points;
+  left.outliers = points.outliers;
+  left.smoothed = points.smoothed;
   left.thinned_points = points.size() - left.size();
   return left;
 }

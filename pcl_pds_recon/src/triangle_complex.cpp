@@ -9,8 +9,10 @@ namespace pds
 
 using Eigen::Vector3d;
 
-TriangleComplex::TriangleComplex(const std::vector<Vector3d>& position, const Parallel& parallel)
-    : position_(position), parallel_(parallel), first_at_(position.size(), no_face)
+TriangleComplex::TriangleComplex(const std::vector<Vector3d>& position,
+                                 const Parallel& parallel,
+                                 std::vector<Vector3d> outward)
+    : position_(position), parallel_(parallel), outward_(std::move(outward)), first_at_(position.size(), no_face)
 {
 }
 
@@ -148,6 +150,7 @@ TriangleComplex::Verdict TriangleComplex::judge_beside(const Triangle& t,
   for (std::size_t corner = 0; corner < 3; ++corner)
     if (!link_stays_simple(t, corner, across)) return Verdict::link_broken;
   if (folds(t, across, smallest_angle)) return Verdict::folded;
+  if (opposed(t, across)) return Verdict::opposed;
   return orientable_with(t, across) ? Verdict::legal : Verdict::one_sided;
 }
 

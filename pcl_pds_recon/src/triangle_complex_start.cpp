@@ -51,7 +51,7 @@ void TriangleComplex::find_neighbors(double smallest_angle)
         full |= face.across[e] != no_face;
         face.across[e] = other;
       }
-    fits[f] = !full && !degenerate(t) && !folds(t, face.across, smallest_angle) ? 1 : 0;
+    fits[f] = !full && !degenerate(t) && !folds(t, face.across, smallest_angle) && !opposed(t, face.across) ? 1 : 0;
   });
   parallel_.each(face_.size(), block, [&](std::size_t f) {
     face_[f].present = fits[f] != 0;

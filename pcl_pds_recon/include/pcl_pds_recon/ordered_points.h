@@ -12,7 +12,7 @@
 namespace pds
 {
 
-/** \brief Marks an input point that is not finite and has no place in the order. */
+/** \brief Marks an input point that has no place in the order: it is not finite, or an outlier. */
 constexpr std::uint32_t no_rank = 0xffffffffU;
 
 /** \brief The distinct finite points of a cloud in an order that depends on nothing but their coordinates.
@@ -31,7 +31,9 @@ struct OrderedPoints
   double unit = 1;                          ///< input units per unit of position
   std::size_t valid_points = 0;             ///< input points with finite coordinates
   std::size_t merged_points = 0;            ///< of these, represented by a coincident one
+  std::size_t outliers = 0;                 ///< of the rest, left out (see outliers.h)
   std::size_t thinned_points = 0;           ///< of the rest, represented by one nearby (see thinning.h)
+  bool smoothed = false;                    ///< positions are in the middle of the noise (see scan_noise.h)
 
   /** \brief Number of distinct points. */
   [[nodiscard]] std::size_t size() const { return position.size(); }

@@ -30,6 +30,7 @@ struct Report
   std::size_t input_points = 0;    ///< points given
   std::size_t valid_points = 0;    ///< of these, with finite coordinates
   std::size_t merged_points = 0;   ///< of the valid ones, dropped because a coincident point represents them
+  std::size_t outliers = 0;        ///< of the rest, left out because they belong to no surface
   std::size_t thinned_points = 0;  ///< of the rest, left out because the radius does not need them
   bool smoothed = false;           ///< the cloud is noisy: the middle of the noise was taken for the surface
   int k = 0;                       ///< neighbours per point

@@ -18,7 +18,8 @@ namespace pds
 [[nodiscard]] bool is_noisy(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel);
 
 /** \brief The points moved into the middle of their noise: onto the plane of their neighbours or, where noise fills
- * that neighbourhood, of their neighbours' neighbours.
+ * that neighbourhood, of their neighbours' neighbours. What all points around move by alike is the bend of the surface
+ * and not noise: it is taken back.
  *
  * Layers of overlapping scans are drawn together. A graph of the result has the sampling interval of the surface, and
  * what is left of the noise can be smoothed again in wider neighbourhoods. O(n k), 36 bytes a point.

@@ -20,7 +20,8 @@ using Triangle = std::array<std::uint32_t, 3>;
  * - every edge has at most two faces;
  * - every vertex link is a set of disjoint paths, or one single cycle;
  * - all faces joined by edges can be oriented consistently (union-find with parity);
- * - no two faces at an edge fold onto each other.
+ * - no two faces at an edge fold onto each other, and
+ * - if it is known which side is outside: no face joins an outside to an inside, nor do two faces at an edge.
  * Several paths in one link are several fans pinched together; remove_pinches() ends that. Removing faces never breaks
  * the other conditions. Whatever the order and the geometry of what is offered, the result is manifold.
  */
@@ -37,7 +38,8 @@ class TriangleComplex
     edge_full,    ///< one of its edges has two faces already
     link_broken,  ///< a vertex would get a closed fan and something else
     one_sided,    ///< the surface would not be orientable
-    folded        ///< it would fold back on a neighbour
+    folded,       ///< it would fold back on a neighbour
+    opposed       ///< it would join an outside to an inside, as the normals tell
   };
 
   /** \brief The faces at a vertex, in no order that means anything. Ends with the next change of the complex. */
@@ -81,8 +83,11 @@ class TriangleComplex
   };
 
   /** \param position of the vertices; must outlive this object
-   * \param parallel for what is done to all vertices or faces at once */
-  explicit TriangleComplex(const std::vector<Eigen::Vector3d>& position, const Parallel& parallel = Parallel(1));
+   * \param parallel for what is done to all vertices or faces at once
+   * \param outward of each vertex: the direction that leads outside, 0 if unknown; empty if all are */
+  explicit TriangleComplex(const std::vector<Eigen::Vector3d>& position,
+                           const Parallel& parallel = Parallel(1),
+                           std::vector<Eigen::Vector3d> outward = {});
 
   /** \brief Fills the complex, which must be empty, with all of the triangles that get along with all others.
    * \return the numbers of the rest, ascending: for add() to judge one by one
@@ -178,6 +183,16 @@ class TriangleComplex
   [[nodiscard]] Verdict judge_beside(const Triangle& t, const ThreeFaces& across, double smallest_angle) const;
   [[nodiscard]] bool link_stays_simple(const Triangle& t, std::size_t corner, const ThreeFaces& across) const;
   [[nodiscard]] bool folds(const Triangle& t, const ThreeFaces& across, double smallest_angle) const;
+  /** \brief Which side of a triangle is outside. */
+  enum class Side
+  {
+    front,  ///< that from which its corners are counter-clockwise
+    back,
+    unclear,
+    torn  ///< both: its corners are on different sides of the surface
+  };
+  [[nodiscard]] Side side_by_normals(const Triangle& t) const;
+  [[nodiscard]] bool opposed(const Triangle& t, const ThreeFaces& across) const;
   [[nodiscard]] bool orientable_with(const Triangle& t, const ThreeFaces& across) const;
   [[nodiscard]] std::size_t count_faces_at(std::uint32_t vertex) const;
   [[nodiscard]] bool fan_closes(std::uint32_t vertex, std::uint32_t first) const;
@@ -194,6 +209,7 @@ class TriangleComplex
 
   const std::vector<Eigen::Vector3d>& position_;
   Parallel parallel_;
+  std::vector<Eigen::Vector3d> outward_;
   std::vector<Face> face_;
   std::vector<std::uint32_t> first_at_;  ///< by vertex: the first face of its list
   OrientationForest orientation_;

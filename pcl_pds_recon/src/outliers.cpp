@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/outliers.h>
+
+#include <algorithm>
+#include "spread.h"
+
+namespace pds
+{
+namespace
+{
+
+constexpr std::size_t block = 4096;   // points per block
+constexpr double worth_while = 1e-4;  // of the points; fewer far ones do less harm than another neighbour search costs
+constexpr std::size_t few = 3;        // neighbours of an outlier, of which one at least is none
+constexpr float far_from_own = 4.0F;  // a reach so many times that of the neighbours; at a density's 10:1 edge it is 3
+constexpr float apart = 1.1F;         // or only so many times that ...
+constexpr float off_plane = 0.45F;    // ... but so much of it off their plane: half of their reach above it
+constexpr float far_from_all = 4.0F;  // a reach so many times the median of all points ...
+constexpr double shapeless = 0.25;    // ... in a neighbourhood this thick; an isotropic cloud has 0.58
+
+PointArray<float> reach_of_points(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
+{
+  PointArray<float> reach(points.size());
+  parallel.each(points.size(), block, [&](std::size_t i) {
+    const NeighborSpan row = graph.nearest(i);
+    reach[i] = row.size() > 0 ? (points.position[i] - points.position[*(row.end() - 1)]).norm() : 0.0F;
+  });
+  return reach;
+}
+
+/** \brief Of every 16th point: enough to tell orders of magnitude. */
+float typical(const PointArray<float>& reach)
+{
+  constexpr std::size_t stride = 16;
+  std::vector<float> sample;
+  for (std::size_t i = 0; i < reach.size(); i += stride) sample.push_back(reach[i]);
+  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+  std::nth_element(sample.begin(), middle, sample.end());
+  return *middle;
+}
+
+enum class Verdict : std::uint8_t
+{
+  belongs,
+  near,  ///< off the surface by as little as noise or a sharp corner may be
+  far
+};
+
+/** \brief Tells outliers. Holds the working memory of one thread. */
+class OutlierRule
+{
+ public:
+  OutlierRule(const OrderedPoints& points, const NeighborGraph& graph, const PointArray<float>& reach, float far)
+      : points_(points), graph_(graph), reach_(reach), far_(far)
+  {
+  }
+
+  Verdict operator()(std::size_t i)
+  {
+    const NeighborSpan row = graph_.nearest(i);
+    const float reach = reach_[i];
+    const bool alone = reach > far_;
+    if (alone && spread_around(points_, graph_, i).plane().thickness > shapeless) return Verdict::far;
+    // The nearest neighbours alone tell of most points that they are none.
+    const std::uint32_t* const few_end = row.begin() + std::min<std::size_t>(few, row.size());
+    if (alone || std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return reach > apart * reach_[j]; })) {
+      const float around = reach_around(row);
+      if (reach > far_from_own * around) return Verdict::far;
+      if (reach > apart * around && distance_from_plane(i, row) > off_plane * reach) return Verdict::near;
+    }
+    return Verdict::belongs;
+  }
+
+ private:
+  /** \brief Median of the neighbours' reaches. */
+  float reach_around(const NeighborSpan& row)
+  {
+    scratch_.clear();
+    for (const std::uint32_t j : row) scratch_.push_back(reach_[j]);
+    const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
+    std::nth_element(scratch_.begin(), middle, scratch_.end());
+    return *middle;
+  }
+
+  /** \brief Of a point from the plane of its neighbours. */
+  [[nodiscard]] float distance_from_plane(std::size_t i, const NeighborSpan& row) const
+  {
+    SpreadSum sum(Spread{points_.position[*row.begin()]});
+    for (const std::uint32_t* j = row.begin() + 1; j != row.end(); ++j) sum.add(Spread{points_.position[*j]});
+    const Eigen::Vector3f& p = points_.position[i];
+    return (sum.mean().plane().project(p) - p).norm();
+  }
+
+  const OrderedPoints& points_;
+  const NeighborGraph& graph_;
+  const PointArray<float>& reach_;
+  float far_;  ///< reach that only strays and coarser surfaces have
+  std::vector<float> scratch_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> find_outliers(const OrderedPoints& points,
+                                        const NeighborGraph& graph,
+                                        const Parallel& parallel)
+{
+  if (points.size() < 2) return {};
+  const PointArray<float> reach = reach_of_points(points, graph, parallel);
+  const float far_reach = far_from_all * typical(reach);
+  std::vector<std::uint8_t> outlier(points.size());
+  const std::size_t far = parallel.sum(points.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::size_t part = 0;
+    OutlierRule verdict_on(points, graph, reach, far_reach);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Verdict verdict = verdict_on(i);
+      outlier[i] = verdict != Verdict::belongs ? 1 : 0;
+      part += verdict == Verdict::far ? 1 : 0;
+    }
+    return part;
+  });
+  if (static_cast<double>(far) <= worth_while * static_cast<double>(points.size())) outlier.clear();
+  return outlier;
+}
+
+OrderedPoints without_outliers(OrderedPoints points, const std::vector<std::uint8_t>& outlier, const Parallel& parallel)
+{
+  std::vector<std::uint32_t> new_rank(points.size(), no_rank);
+  std::uint32_t left = 0;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (outlier[i] != 0) continue;
+    points.position[left] = points.position[i];
+    points.input_index[left] = points.input_index[i];
+    new_rank[i] = left++;
+  }
+  points.outliers += points.size() - left;
+  points.position.resize(left);
+  points.input_index.resize(left);
+  parallel.each(points.rank_of_input.size(), block, [&](std::size_t i) {
+    std::uint32_t& rank = points.rank_of_input[i];
+    if (rank != no_rank) rank = new_rank[rank];
+  });
+  return points;
+}
+
+}  // namespace pds
