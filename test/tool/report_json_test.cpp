@@ -23,11 +23,12 @@ std::string keys(const nlohmann::ordered_json& json)
 TEST(ReportJson, has_the_promised_keys)
 {
   const auto json = nlohmann::ordered_json::parse(to_json(Report()));
-  EXPECT_EQ(keys(json),
-            "input_points valid_points k sampling_interval radius seeds vertices faces edges components boundary_loops "
-            "nonmanifold_edges nonmanifold_vertices inconsistent_edges euler closed orientable filled_holes "
-            "merged_points outliers thinned_points smoothed refined_seeds min_seed_distance coverage_radius threads seconds "
-            "peak_rss_bytes version ");
+  EXPECT_EQ(
+      keys(json),
+      "input_points valid_points k sampling_interval radius seeds vertices faces edges components boundary_loops "
+      "nonmanifold_edges nonmanifold_vertices inconsistent_edges euler closed orientable filled_holes "
+      "merged_points outliers thinned_points smoothed refined_seeds min_seed_distance coverage_radius threads seconds "
+      "peak_rss_bytes version ");
   EXPECT_EQ(keys(json["seconds"]),
             "load neighbors weights sampling voronoi seed_graph faces holes orientation placement save total ");
 }
