@@ -36,23 +36,28 @@ void ReverseEdges::add(std::size_t tile, const ReverseEdge* edges, std::size_t c
   Tile& sorted = tiles_[tile];
   std::vector<std::uint32_t>& begin = sorted.begin;
   begin.assign(tile_count() + 1, 0);
-  sorted.edge = make_raw_array<ReverseEdge>(count);
+  sorted.edge = make_raw_array<PackedEdge>(count);
   for (std::size_t e = 0; e < count; ++e) ++begin[edges[e].listed >> tile_bits_];
   std::uint32_t sum = 0;
   for (std::uint32_t& b : begin) sum += std::exchange(b, sum);
-  for (std::size_t e = 0; e < count; ++e) sorted.edge[begin[edges[e].listed >> tile_bits_]++] = edges[e];
+  for (std::size_t e = 0; e < count; ++e)
+    sorted.edge[begin[edges[e].listed >> tile_bits_]++] = {place_in_tile(edges[e].listed),
+                                                           place_in_tile(edges[e].lister)};
   // Each place has moved on to where the next one began.
   std::rotate(begin.begin(), begin.end() - 1, begin.end());
   begin.front() = 0;
 }
 
-/** \brief Visits edges by ascending lister. */
+/** \brief Visits edges by ascending lister: visit(place of the listed point in its tile, rank of the lister). */
 template <typename Visit>
 void ReverseEdges::visit_edges_to(std::size_t tile, const Visit& visit) const
 {
-  for (const Tile& from : tiles_) {
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    const Tile& from = tiles_[t];
     if (from.begin.empty()) continue;
-    for (std::size_t e = from.begin[tile]; e < from.begin[tile + 1]; ++e) visit(from.edge[e]);
+    const auto first = static_cast<std::uint32_t>(t << tile_bits_);
+    for (std::size_t e = from.begin[tile]; e < from.begin[tile + 1]; ++e)
+      visit(from.edge[e].listed, first + from.edge[e].lister);
   }
 }
 
@@ -75,14 +80,14 @@ void ReverseEdges::file_tile(std::size_t tile, std::size_t row_begin, NeighborGr
   const std::size_t first = tile << tile_bits_;
   const std::size_t points = std::min(tile_size(), point_count_ - first);
   std::vector<std::uint32_t> next(points);
-  visit_edges_to(tile, [&](const ReverseEdge& e) { ++next[e.listed - first]; });
+  visit_edges_to(tile, [&](std::uint16_t listed, std::uint32_t) { ++next[listed]; });
   auto sum = static_cast<std::uint32_t>(row_begin - graph.reverse_base[first >> NeighborGraph::base_bits]);
   for (std::size_t i = 0; i < points; ++i) {
     graph.reverse_begin[first + i] = sum;
     sum += std::exchange(next[i], sum);
   }
   std::uint32_t* const rows = graph.reverse.data() + graph.reverse_base[first >> NeighborGraph::base_bits];
-  visit_edges_to(tile, [&](const ReverseEdge& e) { rows[next[e.listed - first]++] = e.lister; });
+  visit_edges_to(tile, [&](std::uint16_t listed, std::uint32_t lister) { rows[next[listed]++] = lister; });
 }
 
 void ReverseEdges::file(NeighborGraph& graph, const Parallel& parallel) const

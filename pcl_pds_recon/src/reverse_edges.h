@@ -42,12 +42,23 @@ class ReverseEdges
   void file(NeighborGraph& graph, const Parallel& parallel) const;
 
  private:
+  /** \brief An edge between two known tiles. A tile has 2^16 points at most: with whole ranks, these would be the
+   * largest array of a run but the graph itself. */
+  struct PackedEdge
+  {
+    std::uint16_t listed;  ///< within its tile
+    std::uint16_t lister;
+  };
   struct Tile
   {
-    RawArray<ReverseEdge> edge;
+    RawArray<PackedEdge> edge;
     std::vector<std::uint32_t> begin;  ///< by tile that they lead to: its first edge; empty if there are no edges
   };
 
+  [[nodiscard]] std::uint16_t place_in_tile(std::uint32_t point) const
+  {
+    return static_cast<std::uint16_t>(point & (tile_size() - 1));
+  }
   template <typename Visit>
   void visit_edges_to(std::size_t tile, const Visit& visit) const;
   [[nodiscard]] std::vector<std::size_t> row_begin_of_tiles(const Parallel& parallel) const;
