@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include "bucket_sort.h"
 #include "seed_evidence.h"
 
@@ -107,7 +108,7 @@ class CellSurvey
     }
   }
 
-  void append_to(std::vector<SeedPair>& pairs, std::vector<SeedTriple>& triples)
+  void append_to(PointArray<SeedPair>& pairs, PointArray<SeedTriple>& triples)
   {
     for (std::uint32_t high = 0; high < borders_.size(); ++high) {
       const Border& b = borders_[high];
@@ -236,8 +237,12 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   voronoi.witness.resize(sampling.nearest.size());
 
   const WitnessRule is_witness(sampling, threshold);
-  std::vector<std::vector<SeedPair>> pairs(parallel.threads());
-  std::vector<std::vector<SeedTriple>> triples(parallel.threads());
+  std::vector<PointArray<SeedPair>> pairs(parallel.threads());
+  std::vector<PointArray<SeedTriple>> triples(parallel.threads());
+  // Room for all that one worker may find: what is not used takes no memory, and growing would take it twice.
+  constexpr std::size_t per_cell = 8;  // neighbours, and corners; six are usual
+  for (auto& list : pairs) list.reserve(per_cell * sampling.seeds.size());
+  for (auto& list : triples) list.reserve(per_cell * sampling.seeds.size());
   std::vector<std::optional<CellSurvey>> survey_of_worker(parallel.threads());
   parallel.blocks(sampling.seeds.size(), cells_per_block, [&](std::size_t begin, std::size_t end, unsigned worker) {
     std::optional<CellSurvey>& cell = survey_of_worker[worker];
@@ -256,10 +261,11 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   const auto near = [&](std::uint32_t s, std::uint32_t t) {
     return (points.position[sampling.seeds[s]] - points.position[sampling.seeds[t]]).squaredNorm() <= limit2;
   };
+  survey_of_worker.clear();
   voronoi.pairs = merge_evidence(
-      pairs, sampling.seeds.size(), [&](const SeedPair& p) { return near(p.a, p.b); }, parallel);
+      std::move(pairs), sampling.seeds.size(), [&](const SeedPair& p) { return near(p.a, p.b); }, parallel);
   voronoi.triples = merge_evidence(
-      triples, sampling.seeds.size(),
+      std::move(triples), sampling.seeds.size(),
       [&](const SeedTriple& t) { return near(t.a, t.b) && near(t.b, t.c) && near(t.a, t.c); }, parallel);
   return voronoi;
 }

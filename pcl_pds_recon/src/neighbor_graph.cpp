@@ -173,14 +173,18 @@ ReverseEdge* survey_rows(const OrderedPoints& points,
 template <typename Rows>
 void join_rows(const OrderedPoints& points, const Rows& rows, NeighborGraph& graph, const Parallel& parallel)
 {
-  ReverseEdges reverse(points.size());
-  const auto lengths = parallel.sum(points.size(), reverse.tile_size(), [&](std::size_t begin, std::size_t end) {
-    Lengths part;
-    const auto edges = make_raw_array<ReverseEdge>((end - begin) * graph.stride + 1);
-    const ReverseEdge* last = survey_rows(points, graph, rows, begin, end, edges.get(), part);
-    reverse.add(begin / reverse.tile_size(), edges.get(), static_cast<std::size_t>(last - edges.get()));
-    return part;
+  ReverseEdges reverse(points.size(), parallel.threads());
+  std::vector<Lengths> lengths_of_tile(reverse.tile_count());
+  std::vector<PointArray<ReverseEdge>> edges_of_worker(parallel.threads());
+  parallel.blocks(points.size(), reverse.tile_size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    PointArray<ReverseEdge>& edges = edges_of_worker[worker];
+    edges.resize(reverse.tile_size() * graph.stride + 1);
+    const std::size_t tile = begin / reverse.tile_size();
+    const ReverseEdge* last = survey_rows(points, graph, rows, begin, end, edges.data(), lengths_of_tile[tile]);
+    reverse.add(worker, tile, edges.data(), static_cast<std::size_t>(last - edges.data()));
   });
+  Lengths lengths;
+  for (const Lengths& part : lengths_of_tile) lengths += part;
   graph.sampling_interval = lengths.mean();
   reverse.file(graph, parallel);
 }
@@ -194,7 +198,7 @@ NeighborGraph build_neighbor_graph(const OrderedPoints& points,
 {
   NeighborGraph graph;
   if (points.size() < 2) {
-    ReverseEdges(points.size()).file(graph, parallel);
+    ReverseEdges(points.size(), 1).file(graph, parallel);
     return graph;
   }
   graph.stride = std::min<std::size_t>(static_cast<std::size_t>(k), points.size() - 1);

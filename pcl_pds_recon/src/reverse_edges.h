@@ -7,7 +7,7 @@
 
 #include <pcl_pds_recon/neighbor_graph.h>
 #include <pcl_pds_recon/parallel.h>
-#include "radix_sort.h"
+#include <pcl_pds_recon/point_array.h>
 
 namespace pds
 {
@@ -27,14 +27,15 @@ struct ReverseEdge
 class ReverseEdges
 {
  public:
-  explicit ReverseEdges(std::size_t point_count);
+  /** \param workers that add edges at the same time */
+  ReverseEdges(std::size_t point_count, unsigned workers);
 
   [[nodiscard]] std::size_t tile_size() const { return std::size_t{1} << tile_bits_; }
   [[nodiscard]] std::size_t tile_count() const { return tiles_.size(); }
 
-  /** \brief Takes the edges of the listing points in one tile, ascending by these; different tiles at the same time.
-   */
-  void add(std::size_t tile, const ReverseEdge* edges, std::size_t count);
+  /** \brief Takes the edges of the listing points in one tile, ascending by these. Different workers may do so at the
+   * same time. */
+  void add(unsigned worker, std::size_t tile, const ReverseEdge* edges, std::size_t count);
 
   /** \brief Makes all edges rows of the graph.
    * \throws InvalidInput if there are too many for the graph
@@ -51,8 +52,9 @@ class ReverseEdges
   };
   struct Tile
   {
-    RawArray<PackedEdge> edge;
-    std::vector<std::uint32_t> begin;  ///< by tile that they lead to: its first edge; empty if there are no edges
+    unsigned worker = 0;               ///< whose list the edges are in
+    std::size_t first = 0;             ///< where they begin in it
+    std::vector<std::uint32_t> begin;  ///< by tile that they lead to: its first edge, of these; empty if there are none
   };
 
   [[nodiscard]] std::uint16_t place_in_tile(std::uint32_t point) const
@@ -67,6 +69,7 @@ class ReverseEdges
   std::size_t point_count_;
   int tile_bits_;
   std::vector<Tile> tiles_;
+  std::vector<PointArray<PackedEdge>> edges_of_worker_;
 };
 
 }  // namespace pds

@@ -7,6 +7,7 @@
 
 #include <pcl_pds_recon/geodesic_voronoi.h>
 #include <pcl_pds_recon/parallel.h>
+#include <pcl_pds_recon/point_array.h>
 #include "bucket_sort.h"
 
 namespace pds
@@ -29,11 +30,11 @@ inline void add_up(SeedPair& sum, const SeedPair& more)
 inline void add_up(SeedTriple& sum, const SeedTriple& more) { sum.votes += more.votes; }
 
 /** \brief Evidence as several cells saw it, in any order, sorted, with one piece of evidence for each thing.
- * \param seen lists that one worker each has written
+ * \param seen lists that one worker each has written; freed as soon as may be
  * \param keep says whether a piece may stay
  */
 template <typename Evidence, typename Keep>
-std::vector<Evidence> merge_evidence(const std::vector<std::vector<Evidence>>& seen,
+std::vector<Evidence> merge_evidence(std::vector<PointArray<Evidence>> seen,
                                      std::size_t seed_count,
                                      const Keep& keep,
                                      const Parallel& parallel)
@@ -44,10 +45,11 @@ std::vector<Evidence> merge_evidence(const std::vector<std::vector<Evidence>>& s
     for (const Evidence& e : seen[list]) by_first_seed.count(e.a);
   });
   const std::vector<std::size_t> begin = by_first_seed.begins();
-  std::vector<Evidence> sorted(begin.back());
+  PointArray<Evidence> sorted(begin.back());
   parallel.each(seen.size(), 1, [&](std::size_t list) {
     for (const Evidence& e : seen[list]) sorted[by_first_seed.place(e.a)] = e;
   });
+  seen.clear();
 
   std::vector<std::size_t> merged_begin(seed_count + 1);
   parallel.each(seed_count, seeds_per_block, [&](std::size_t s) {

@@ -24,12 +24,12 @@ std::vector<pds::ReverseEdge> random_edges(std::uint32_t point_count)
 
 pds::NeighborGraph file(std::uint32_t point_count, const std::vector<pds::ReverseEdge>& edges, unsigned threads)
 {
-  pds::ReverseEdges reverse(point_count);
+  pds::ReverseEdges reverse(point_count, 2);
   auto first = edges.begin();
   for (std::size_t tile = 0; tile < reverse.tile_count(); ++tile) {
     const auto last = std::partition_point(
         first, edges.end(), [&](const pds::ReverseEdge& e) { return e.lister < (tile + 1) * reverse.tile_size(); });
-    if (first != last) reverse.add(tile, &*first, static_cast<std::size_t>(last - first));
+    if (first != last) reverse.add(tile % 2, tile, &*first, static_cast<std::size_t>(last - first));
     first = last;
   }
   pds::NeighborGraph graph;
