@@ -39,13 +39,6 @@ float typical(const PointArray<float>& reach)
   return *middle;
 }
 
-enum class Verdict : std::uint8_t
-{
-  belongs,
-  near,  ///< off the surface by as little as noise or a sharp corner may be
-  far
-};
-
 /** \brief Tells outliers. Holds the working memory of one thread. */
 class OutlierRule
 {
@@ -55,20 +48,26 @@ class OutlierRule
   {
   }
 
-  Verdict operator()(std::size_t i)
+  [[nodiscard]] bool is_far(std::size_t i) const
   {
     const NeighborSpan row = graph_.nearest(i);
     const float reach = reach_[i];
-    const bool alone = reach > far_;
-    if (alone && spread_around(points_, graph_, i).plane().thickness > shapeless) return Verdict::far;
+    if (reach > far_ && spread_around(points_, graph_, i).plane().thickness > shapeless) return true;
+    std::size_t outreached = 0;
+    for (const std::uint32_t j : row) outreached += reach > far_from_own * reach_[j] ? 1 : 0;
+    return outreached > row.size() / 2;
+  }
+
+  /** \brief Off the surface by as little as noise or a sharp corner may be. */
+  bool is_near(std::size_t i)
+  {
+    const NeighborSpan row = graph_.nearest(i);
+    const float reach = reach_[i];
     // The nearest neighbours alone tell of most points that they are none.
     const std::uint32_t* const few_end = row.begin() + std::min<std::size_t>(few, row.size());
-    if (alone || std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return reach > apart * reach_[j]; })) {
-      const float around = reach_around(row);
-      if (reach > far_from_own * around) return Verdict::far;
-      if (reach > apart * around && distance_from_plane(i, row) > off_plane * reach) return Verdict::near;
-    }
-    return Verdict::belongs;
+    return (reach > far_ ||
+            std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return reach > apart * reach_[j]; })) &&
+           reach > apart * reach_around(row) && distance_from_plane(i, row) > off_plane * reach;
   }
 
  private:
@@ -108,17 +107,18 @@ std::vector<std::uint8_t> find_outliers(const OrderedPoints& points,
   const PointArray<float> reach = reach_of_points(points, graph, parallel);
   const float far_reach = far_from_all * typical(reach);
   std::vector<std::uint8_t> outlier(points.size());
+  const OutlierRule rule(points, graph, reach, far_reach);
   const std::size_t far = parallel.sum(points.size(), block, [&](std::size_t begin, std::size_t end) {
     std::size_t part = 0;
-    OutlierRule verdict_on(points, graph, reach, far_reach);
-    for (std::size_t i = begin; i < end; ++i) {
-      const Verdict verdict = verdict_on(i);
-      outlier[i] = verdict != Verdict::belongs ? 1 : 0;
-      part += verdict == Verdict::far ? 1 : 0;
-    }
+    for (std::size_t i = begin; i < end; ++i) part += outlier[i] = rule.is_far(i) ? 1 : 0;
     return part;
   });
-  if (static_cast<double>(far) <= worth_while * static_cast<double>(points.size())) outlier.clear();
+  if (static_cast<double>(far) <= worth_while * static_cast<double>(points.size())) return {};
+  parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+    OutlierRule own_rule = rule;  // with working memory of its own
+    for (std::size_t i = begin; i < end; ++i)
+      if (outlier[i] == 0) outlier[i] = own_rule.is_near(i) ? 1 : 0;
+  });
   return outlier;
 }
 
