@@ -171,6 +171,19 @@ TEST_F(WriteMesh, obj_holds_sixteen_bit_colors)
   EXPECT_EQ(lost_in_format(".glb", points, false), "the last digits of the colours");
 }
 
+TEST(LostInFormat, names_normals_that_are_rounded)
+{
+  const PointTable points({{"x", ScalarType::float32},
+                           {"y", ScalarType::float32},
+                           {"z", ScalarType::float32},
+                           {"nx", ScalarType::float64},
+                           {"ny", ScalarType::float64},
+                           {"nz", ScalarType::float64}},
+                          3);
+  EXPECT_EQ(lost_in_format(".glb", points, false), "the last digits of the normals");
+  EXPECT_EQ(lost_in_format(".obj", points, false), "");
+}
+
 TEST(LostInFormat, names_what_a_format_cannot_hold)
 {
   const PointTable points = utm_points();

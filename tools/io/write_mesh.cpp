@@ -86,6 +86,9 @@ std::string lost_in_format(const std::string& extension, const PointTable& point
   if (extension == ".glb" && points.color_type() == ScalarType::uint16) {
     losses.emplace_back("the last digits of the colours");  // linear ones leave dark shades fewer numbers
   }
+  if (extension == ".glb" && points.has_normals() && points.find("nx")->type == ScalarType::float64) {
+    losses.emplace_back("the last digits of the normals");
+  }
   if (rounds_all || (is_single_precision && points.has_double_positions())) {
     losses.emplace_back("the last digits of the coordinates");
   }
