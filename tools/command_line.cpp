@@ -6,6 +6,7 @@
 #include "io/write_mesh.h"
 #include "option_table.h"
 
+#include <pcl_pds_recon/reconstruction.h>
 #include <pcl_pds_recon/version.h>
 
 #include <algorithm>
@@ -142,6 +143,9 @@ void check_files_differ(const CommandLine& command_line)
   std::vector<std::string> files = {command_line.output, command_line.report_file, command_line.html_file,
                                     command_line.voronoi_file, command_line.config_to_save};
   files.insert(files.end(), command_line.inputs.begin(), command_line.inputs.end());
+  for (unsigned level = 1; level < command_line.levels; ++level) {
+    files.push_back(level_path(command_line.output, level));
+  }
   files.erase(std::remove(files.begin(), files.end(), ""), files.end());
   if (command_line.output == standard_stream) {
     files.erase(files.begin());  // not the standard input of the same name
@@ -152,6 +156,19 @@ void check_files_differ(const CommandLine& command_line)
         throw UsageError(files[i] + ": is named twice; name each input once and let outputs have names of their own");
       }
     }
+  }
+}
+
+void check_levels(const CommandLine& command_line)
+{
+  if (command_line.levels < 1 || command_line.levels > most_levels) {
+    throw UsageError("--levels must be 1 to " + std::to_string(most_levels));
+  }
+  if (command_line.levels > 1 && command_line.options.relax > 0) {
+    throw UsageError("--levels and --relax exclude each other: relaxation would move the vertices of one level only");
+  }
+  if (command_line.levels > 1 && command_line.output == standard_stream) {
+    throw UsageError("--levels: several meshes cannot go to standard output; name a file as OUTPUT");
   }
 }
 
@@ -191,6 +208,7 @@ CommandLine interpret(const po::variables_map& arguments)
   take_options(arguments, command_line);
   take_files(arguments, command_line);
   check_output_names(command_line);
+  check_levels(command_line);
   check_files_differ(command_line);
   return command_line;
 }
@@ -211,6 +229,16 @@ void take_options(const po::variables_map& arguments, CommandLine& command_line)
   apply(arguments, "", command_line);
   let_factor_win(arguments, command_line);
   validate_options(command_line.options);
+}
+
+std::string level_path(const std::string& output, unsigned level)
+{
+  if (level == 0) {
+    return output;
+  }
+  std::filesystem::path path(output);
+  path.replace_filename(path.stem().string() + "_" + std::to_string(level) + path.extension().string());
+  return path.string();
 }
 
 CommandLine parse_command_line(int argc, const char* const* argv)

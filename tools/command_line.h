@@ -29,6 +29,7 @@ struct CommandLine
   std::vector<std::string> inputs;  ///< one or more; "-": standard input
   std::string output;               ///< "-": standard output, as PLY
   Options options;
+  unsigned levels = 1;  ///< meshes of ever fewer vertices
   bool ascii = false;
   bool normals = false;               ///< give the vertices the normals of the mesh
   std::vector<std::uint8_t> classes;  ///< of points to be used; empty: all
@@ -42,6 +43,9 @@ struct CommandLine
 
 /** \brief The extension that says in which format the mesh is written. */
 [[nodiscard]] std::string output_extension(const CommandLine& command_line);
+
+/** \brief Where a level of detail is written: OUTPUT, then OUTPUT with _1, _2, ... before its extension. */
+[[nodiscard]] std::string level_path(const std::string& output, unsigned level);
 
 /** \brief Thrown for bad usage; what() is one line that names the option and what it takes. */
 struct UsageError : std::runtime_error

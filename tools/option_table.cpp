@@ -91,6 +91,16 @@ OptionRow flag(std::string name, std::string help, bool CommandLine::*member)
   return {std::move(name), 0, "", std::move(help), set, get};
 }
 
+OptionRow levels_option()
+{
+  const auto set = [](CommandLine& command_line, const std::string& text) {
+    return parse_number(text, command_line.levels);
+  };
+  const auto get = [](const CommandLine& command_line) { return std::to_string(command_line.levels); };
+  return {"levels", 0,  "N", "nested levels of detail, 1 ... 16: also OUTPUT_1, _2, ..., of a quarter each (default 1)",
+          set,      get};
+}
+
 OptionRow placement_option()
 {
   static const std::pair<const char*, Placement> choices[] = {{"point", Placement::point},
@@ -143,12 +153,18 @@ std::vector<OptionRow> make_table()
       number("radius-factor", 'f', "X", "radius of a disk in sampling intervals, 1.5 ... 1000",
              &Options::radius_factor),
       number("radius", 'r', "R", "radius of a disk in the unit of INPUT, instead of -f; 0: by -f", &Options::radius),
+      number("vertices", 'n', "N", "vertices of the mesh, instead of -f; 0: by -f", &Options::vertices),
+      number("max-error", 0, "E",
+             "fewest vertices with 99 % of the points within E of the mesh, instead of -f; 0: by -f",
+             &Options::max_error),
       number("adaptive", 'a', "C", "curvature coefficient, 0 ... 2; 0: uniform", &Options::adaptive),
       number("voronoi-threshold", 0, "X", "witness points: distances to two seeds differ by < X radii, 0 ... 1",
              &Options::voronoi_threshold),
       number("hole-size", 0, "X", "perimeter limit in radii of holes that may be gaps; 0: Voronoi dual triangles only",
              &Options::hole_size),
       placement_option(),
+      number("relax", 0, "N", "steps that even out the triangles, 0 ... 100", &Options::relax),
+      levels_option(),
       number("threads", 'j', "N", "worker threads, 0 ... 1024; 0: all cores. The mesh does not depend on it",
              &Options::threads),
       number("seed", 0, "N", "picks one of the equally valid samplings", &Options::seed),

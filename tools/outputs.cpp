@@ -11,6 +11,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <list>
 #include <optional>
 #include <utility>
 
@@ -52,6 +53,9 @@ void warn_of_page(const std::string& path, const ReportPage& page, std::vector<s
 
 void check_outputs(const CommandLine& command_line)
 {
+  for (unsigned level = 1; level < command_line.levels; ++level) {
+    check_writable(level_path(command_line.output, level));
+  }
   for (const auto& path : {command_line.output, command_line.report_file, command_line.html_file,
                            command_line.voronoi_file, command_line.config_to_save}) {
     if (!path.empty()) {
@@ -69,14 +73,23 @@ void save_config(const CommandLine& command_line)
 
 std::vector<std::string> save_outputs(const CommandLine& command_line,
                                       const PointTable& points,
-                                      Reconstruction& result,
+                                      std::vector<Reconstruction>& levels,
                                       const std::function<void(Report&)>& complete_report)
 {
-  AtomicFile mesh_file(command_line.output);
+  Reconstruction& result = levels.front();
   const std::string extension = output_extension(command_line);
   const PointTable vertices = make_vertices(command_line, points, result);
-  write_mesh(mesh_file, extension, vertices, result.triangles, command_line.ascii);
-  mesh_file.finish();
+  std::list<AtomicFile> mesh_files;
+  for (unsigned level = 0; level < levels.size(); ++level) {
+    AtomicFile& file = mesh_files.emplace_back(level_path(command_line.output, level));
+    const Reconstruction& mesh = levels[level];
+    if (level == 0) {
+      write_mesh(file, extension, vertices, mesh.triangles, command_line.ascii);
+    } else {
+      write_mesh(file, extension, make_vertices(command_line, points, mesh), mesh.triangles, command_line.ascii);
+    }
+    file.finish();
+  }
   std::optional<AtomicFile> voronoi_file;
   if (!command_line.voronoi_file.empty()) {
     voronoi_file.emplace(command_line.voronoi_file);
@@ -100,7 +113,9 @@ std::vector<std::string> save_outputs(const CommandLine& command_line,
     write_text(*page_file, to_html(*page, command_line, result.report));
   }
 
-  mesh_file.commit();
+  for (AtomicFile& file : mesh_files) {
+    file.commit();
+  }
   for (auto* file : {&voronoi_file, &report_file, &page_file}) {
     if (*file) {
       (*file)->commit();

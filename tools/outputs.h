@@ -19,14 +19,15 @@ void check_outputs(const CommandLine& command_line);
 /** \brief Writes the configuration file of --save-config. \throws OutputError */
 void save_config(const CommandLine& command_line);
 
-/** \brief Writes the mesh and, if asked for, the Voronoi cells, the report and the page: either all appear or none.
+/** \brief Writes the meshes and, if asked for, the first one's Voronoi cells, report and page: either all appear or
+ * none.
  * \param complete_report called when the meshes are written, to enter what is known only then
  * \return what the mesh's format cannot hold and what the page lacks, each as a sentence
  * \throws OutputError
  */
 [[nodiscard]] std::vector<std::string> save_outputs(const CommandLine& command_line,
                                                     const PointTable& points,
-                                                    Reconstruction& result,
+                                                    std::vector<Reconstruction>& levels,
                                                     const std::function<void(Report&)>& complete_report);
 
 }  // namespace pds

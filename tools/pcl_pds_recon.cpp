@@ -69,17 +69,22 @@ std::string why_no_faces(const Report& report)
       report.valid_points, report.radius, report.k);
 }
 
-Reconstruction reconstruct_table(const PointTable& points, const CommandLine& command_line, ProgressReporter& progress)
+std::vector<Reconstruction> reconstruct_table(const PointTable& points,
+                                              const CommandLine& command_line,
+                                              ProgressReporter& progress)
 {
   const auto on_stage = [&progress](const char* stage, double fraction) {
     progress.start_stage(stage, load_share + fraction * (1 - load_share - save_share));
   };
   try {
-    Reconstruction result = reconstruct(points.view(), command_line.options, on_stage);
-    if (result.triangles.empty()) {
-      throw InvalidInput(why_no_faces(result.report));
+    std::vector<Reconstruction> levels =
+        reconstruct_levels(points.view(), command_line.options, command_line.levels, on_stage);
+    for (const Reconstruction& level : levels) {
+      if (level.triangles.empty()) {
+        throw InvalidInput(why_no_faces(level.report));
+      }
     }
-    return result;
+    return levels;
   } catch (const InvalidInput& error) {
     throw InvalidInput(input_name(command_line) + ": " + error.what());
   }
@@ -130,11 +135,11 @@ void run(const CommandLine& command_line)
   const PointTable points = load_points(command_line, warnings);
   const double load_seconds = since_start.seconds();
 
-  Reconstruction result = reconstruct_table(points, command_line, progress);
+  std::vector<Reconstruction> levels = reconstruct_table(points, command_line, progress);
 
   progress.start_stage("save", 1 - save_share);
   const Stopwatch since_save;
-  const std::vector<std::string> losses = save_outputs(command_line, points, result, [&](Report& report) {
+  const std::vector<std::string> losses = save_outputs(command_line, points, levels, [&](Report& report) {
     report.seconds.load = load_seconds;
     report.seconds.save = since_save.seconds();
     report.seconds.total = since_start.seconds();
@@ -147,7 +152,9 @@ void run(const CommandLine& command_line)
       progress.warn(warning);
     }
   }
-  print_summary(result.report, progress);
+  for (const Reconstruction& level : levels) {
+    print_summary(level.report, progress);
+  }
 }
 
 constexpr int exit_bad_data = 1;

@@ -41,6 +41,7 @@ std::string to_json(const Report& report)
                      {"closed", report.closed},
                      {"orientable", report.orientable},
                      {"filled_holes", report.filled_holes},
+                     {"p99_distance", report.p99_distance},
                      {"merged_points", report.merged_points},
                      {"outliers", report.outliers},
                      {"thinned_points", report.thinned_points},

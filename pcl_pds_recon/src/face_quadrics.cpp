@@ -130,7 +130,7 @@ class CellShares
 std::vector<FaceQuadric> measure_face_quadrics(const std::vector<Vector3d>& position,
                                                const std::vector<Triangle>& triangles,
                                                const MeshFans& fans,
-                                               const OrderedPoints& points,
+                                               const PointArray<Eigen::Vector3f>& points,
                                                const PoissonDiskSampling& sampling,
                                                const GeodesicVoronoi& voronoi,
                                                std::size_t stride,
@@ -144,7 +144,7 @@ std::vector<FaceQuadric> measure_face_quadrics(const std::vector<Vector3d>& posi
     for (std::size_t s = begin; s < end; ++s) {
       if (!cell.enter(static_cast<std::uint32_t>(s))) continue;
       for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; i += stride)
-        cell.add(points.position[voronoi.cell_point[i]].cast<double>() / sampling.radius);
+        cell.add(points[voronoi.cell_point[i]].cast<double>() / sampling.radius);
     }
   });
   std::vector<FaceQuadric> quadrics(triangles.size());

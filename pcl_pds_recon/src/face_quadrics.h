@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pcl_pds_recon/geodesic_voronoi.h>
-#include <pcl_pds_recon/ordered_points.h>
 #include <pcl_pds_recon/parallel.h>
+#include <pcl_pds_recon/point_array.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/triangle_complex.h>
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ struct FaceQuadric
 [[nodiscard]] std::vector<FaceQuadric> measure_face_quadrics(const std::vector<Eigen::Vector3d>& position,
                                                              const std::vector<Triangle>& triangles,
                                                              const MeshFans& fans,
-                                                             const OrderedPoints& points,
+                                                             const PointArray<Eigen::Vector3f>& points,
                                                              const PoissonDiskSampling& sampling,
                                                              const GeodesicVoronoi& voronoi,
                                                              std::size_t stride,

@@ -21,6 +21,12 @@ void validate(const Options& options)
   require(options.k_neighbors >= 4 && options.k_neighbors <= 200, "k_neighbors must be 4 to 200");
   require(within(options.radius_factor, 1.5, 1000), "radius_factor must be 1.5 to 1000 sampling intervals");
   require(options.radius >= 0 && std::isfinite(options.radius), "radius must be 0 (automatic) or positive and finite");
+  require(options.vertices == 0 || (options.vertices >= 4 && options.vertices <= std::uint64_t{1} << 31),
+          "vertices must be 0 (by the radius) or 4 to 2^31");
+  require(options.max_error >= 0 && std::isfinite(options.max_error),
+          "max_error must be 0 (by the radius) or positive and finite");
+  require(options.vertices == 0 || options.max_error == 0, "max_error and vertices exclude each other; give one");
+  require(options.relax <= 100, "relax must be 0 to 100 steps");
   require(within(options.adaptive, 0, 2), "adaptive must be 0 (uniform) to 2");
   require(within(options.voronoi_threshold, 0, 1), "voronoi_threshold must be 0 to 1 radii");
   require(options.threads <= 1024, "threads must be 0 (all cores) to 1024");

@@ -192,7 +192,7 @@ class MoveGuard
 
 std::vector<Vector3d> place_vertices(const SeedGeometry& seeds,
                                      const std::vector<Triangle>& triangles,
-                                     const OrderedPoints& points,
+                                     const PointArray<Eigen::Vector3f>& points,
                                      const PoissonDiskSampling& sampling,
                                      const GeodesicVoronoi& voronoi,
                                      const Parallel& parallel)

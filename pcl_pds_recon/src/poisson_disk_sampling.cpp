@@ -221,22 +221,54 @@ class DartThrower
   {
   }
 
-  void throw_darts(std::size_t cell)
+  /** \brief Makes seeds of the given points in a cell, however close to others they are. */
+  void place_given(std::size_t cell, const std::vector<std::uint32_t>& given)
   {
     darts_.clear();
     for (const BlockRun* run = schedule_.runs_begin(cell); run != schedule_.runs_end(cell); ++run)
+      for (auto g = std::lower_bound(given.begin(), given.end(), run->points.begin);
+           g != given.end() && *g < run->points.end; ++g)
+        darts_.push_back({*g, *g});
+    if (darts_.empty()) return;
+    enter(cell);
+    for (const Dart& dart : darts_) place_seed(dart.point, grow(dart.point));
+  }
+
+  /** \param coverage in radii: points are darts that are farther from all seeds */
+  void throw_darts(std::size_t cell, double coverage)
+  {
+    const float covered = static_cast<float>(coverage) * radius_;
+    darts_.clear();
+    for (const BlockRun* run = schedule_.runs_begin(cell); run != schedule_.runs_end(cell); ++run)
       for (std::uint32_t point = run->points.begin; point < run->points.end; ++point)
-        if (!nearest_[point].covered(radius_)) darts_.push_back({turn_of(point), point});
+        if (!nearest_[point].covered(covered)) darts_.push_back({turn_of(point), point});
     if (darts_.empty()) return;
     std::sort(darts_.begin(), darts_.end());
-    patch_.clear();
-    schedule_.append_surroundings(cell, patch_);
-    disk_.enter(patch_);
+    enter(cell);
     for (const Dart& dart : darts_)
-      if (!nearest_[dart.point].covered(radius_)) throw_dart(dart.point);
+      if (!nearest_[dart.point].covered(covered)) throw_dart(dart.point);
   }
 
  private:
+  using Disk = std::vector<GeodesicDisk::Reached>;
+
+  void enter(std::size_t cell)
+  {
+    patch_.clear();
+    schedule_.append_surroundings(cell, patch_);
+    disk_.enter(patch_);
+  }
+
+  const Disk& grow(std::uint32_t point) { return disk_.grow(point, static_cast<float>(disk_reach) * radius_); }
+
+  void place_seed(std::uint32_t point, const Disk& disk)
+  {
+    // Its own entry comes first, whatever disks cover it already.
+    for (const GeodesicDisk::Reached& r : disk)
+      if (r.point != point) nearest_[r.point].insert(point, r.distance);
+    nearest_[point].insert(point, 0.0F);
+  }
+
   [[nodiscard]] std::uint64_t turn_of(std::uint32_t point) const
   {
     constexpr int rank_bits = 4;
@@ -247,14 +279,14 @@ class DartThrower
   /** \brief A dart becomes a seed, unless its own disk shows that an earlier seed is within the radius after all. */
   void throw_dart(std::uint32_t point)
   {
-    const auto& reached = disk_.grow(point, static_cast<float>(disk_reach) * radius_);
+    const Disk& reached = grow(point);
     GeodesicDisk::Reached nearest_seed{NearestSeeds::none, radius_};
     for (const GeodesicDisk::Reached& r : reached)
       if (r.distance <= nearest_seed.distance && nearest_[r.point].seed[0] == r.point &&
           (r.distance < nearest_seed.distance || r.point < nearest_seed.point))
         nearest_seed = r;
     if (nearest_seed.point == NearestSeeds::none)
-      for (const GeodesicDisk::Reached& r : reached) nearest_[r.point].insert(point, r.distance);
+      place_seed(point, reached);
     else
       nearest_[point].insert_or_approach(nearest_seed.point, nearest_seed.distance);
   }
@@ -297,7 +329,8 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                          double radius,
                                          GeodesicSolver solver,
                                          std::uint64_t seed,
-                                         const Parallel& parallel)
+                                         const Parallel& parallel,
+                                         const GivenSeeds& given)
 {
   PoissonDiskSampling sampling;
   sampling.radius = radius;
@@ -308,15 +341,20 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
     const Schedule schedule(points, BlockGrid(disk_reach * radius * rounding_margin), parallel);
     PatchMarks marks(points.size());
     constexpr std::size_t cells_per_block = 4;
-    for (std::size_t color = 0; color < color_count; ++color) {
-      const std::size_t first = schedule.first_cell(color);
-      parallel.blocks(schedule.last_cell(color) - first, cells_per_block,
-                      [&](std::size_t begin, std::size_t end, unsigned) {
-                        GeodesicDisk disk(points, graph, surface, weights, solver, marks);
-                        DartThrower thrower(points, feature_rank, seed, schedule, disk, sampling);
-                        for (std::size_t cell = first + begin; cell < first + end; ++cell) thrower.throw_darts(cell);
-                      });
-    }
+    const auto each_cell = [&](const auto& action) {
+      for (std::size_t color = 0; color < color_count; ++color) {
+        const std::size_t first = schedule.first_cell(color);
+        parallel.blocks(schedule.last_cell(color) - first, cells_per_block,
+                        [&](std::size_t begin, std::size_t end, unsigned) {
+                          GeodesicDisk disk(points, graph, surface, weights, solver, marks);
+                          DartThrower thrower(points, feature_rank, seed, schedule, disk, sampling);
+                          for (std::size_t cell = first + begin; cell < first + end; ++cell) action(thrower, cell);
+                        });
+      }
+    };
+    if (!given.ranks.empty())
+      each_cell([&](DartThrower& thrower, std::size_t cell) { thrower.place_given(cell, given.ranks); });
+    each_cell([&](DartThrower& thrower, std::size_t cell) { thrower.throw_darts(cell, given.coverage); });
   }
   number_seeds(sampling, parallel);
   return sampling;

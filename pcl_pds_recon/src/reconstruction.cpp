@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/certificate.h>
-#include <pcl_pds_recon/edge_weights.h>
 #include <pcl_pds_recon/geodesic_voronoi.h>
 #include <pcl_pds_recon/hole_filling.h>
-#include <pcl_pds_recon/neighbor_graph.h>
-#include <pcl_pds_recon/ordered_points.h>
 #include <pcl_pds_recon/orientation.h>
-#include <pcl_pds_recon/outliers.h>
 #include <pcl_pds_recon/outward_normals.h>
 #include <pcl_pds_recon/placement.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
@@ -14,126 +10,24 @@
 #include <pcl_pds_recon/scan_noise.h>
 #include <pcl_pds_recon/seed_faces.h>
 #include <pcl_pds_recon/seed_graph.h>
-#include <pcl_pds_recon/thinning.h>
 #include <pcl_pds_recon/triangle_complex.h>
 #include <pcl_pds_recon/version.h>
-#include <sys/resource.h>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <utility>
+#include "cloud_distance.h"
 #include "output.h"
-#include "parallel_parts.h"
+#include "preparation.h"
+#include "radius_search.h"
+#include "relaxation.h"
+#include "run_report.h"
+#include "stage_clock.h"
 
 namespace pds
 {
 namespace
 {
-
-constexpr int most_sortings = 2;        // of outliers; more find little
-constexpr int most_smoothings = 4;      // noise of one interval takes three; what is left then is no surface
-constexpr double largest_radius = 1e9;  // units of position, whose box has side 1: beyond any disk, finite as a float
-
-/** \brief Announces stages and takes their time. */
-class StageClock
-{
- public:
-  explicit StageClock(const Progress& progress) : progress_(progress) {}
-
-  /** \brief Ends the running stage and starts the next, whose time goes to \a seconds. */
-  void start(const char* stage, double fraction, double& seconds)
-  {
-    stop();
-    if (progress_) progress_(stage, fraction);
-    seconds_ = &seconds;
-    begin_ = Clock::now();
-  }
-
-  void stop()
-  {
-    if (seconds_ != nullptr) *seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count();
-    seconds_ = nullptr;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  const Progress& progress_;
-  double* seconds_ = nullptr;
-  Clock::time_point begin_;
-};
-
-/** \brief The points that the radius needs, and who is whose neighbour. */
-struct Neighborhoods
-{
-  OrderedPoints points;
-  NeighborGraph graph;
-  double interval = 0;  ///< sampling interval that the radius refers to: of the cloud before thinning, if that is known
-};
-
-/** \brief Orders, thins, sorts out, smooths if they are noisy, and joins the points. A radius in sampling intervals is
- * known only once all are joined. */
-Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& options, const Parallel& parallel)
-{
-  Neighborhoods found;
-  const double fineness = options.adaptive == 0 ? voxels_per_radius : voxels_per_adaptive_radius;
-  const auto thin = [&](double radius) {
-    found.points = thin_points(std::move(found.points), radius / fineness, parallel);
-  };
-  const auto join = [&] {
-    found.graph = {};  // before the next one is made: two of them would be the peak of the run's memory
-    // A search that the caller brings knows nothing of smoothed positions.
-    PointCloudView searched = cloud;
-    if (found.points.smoothed) searched.neighbor_search = nullptr;
-    found.graph = build_neighbor_graph(found.points, searched, options.k_neighbors, parallel);
-  };
-  found.points = order_points(cloud, parallel);
-  if (options.radius > 0) thin(options.radius / found.points.unit);
-  join();
-  // Without their company, more outliers stand alone.
-  for (int round = 0; round < most_sortings; ++round) {
-    const std::vector<std::uint8_t> outlier = find_outliers(found.points, found.graph, parallel);
-    if (outlier.empty()) break;
-    found.points = without_outliers(std::move(found.points), outlier, parallel);
-    join();
-  }
-  for (int pass = 0; pass < most_smoothings && is_noisy(found.points, found.graph, parallel); ++pass) {
-    found.points.position = smooth_positions(found.points, found.graph, parallel);
-    found.points.smoothed = true;
-    join();
-  }
-  found.interval = found.graph.sampling_interval;
-  if (options.radius > 0 || found.interval <= 0) return found;
-  const std::size_t points = found.points.size();
-  thin(options.radius_factor * found.interval);
-  if (found.points.size() < points) join();
-  return found;
-}
-
-/** \brief Radius in units of position, and the metric it is measured in. */
-struct Metric
-{
-  EdgeWeights weights;
-  double radius = 0;
-};
-
-Metric choose_metric(const Neighborhoods& found,
-                     const SurfaceEstimate& surface,
-                     const Options& options,
-                     const Parallel& parallel,
-                     Report& report)
-{
-  const auto& [points, graph, interval_of_cloud] = found;
-  Metric metric;
-  const double interval = graph.sampling_interval;
-  if (interval <= 0) return metric;
-  const bool absolute = options.radius > 0;
-  const double radius = absolute ? options.radius / points.unit : options.radius_factor * interval_of_cloud;
-  metric.weights = curvature_weights(surface, graph, options.adaptive, {radius / interval, !absolute}, parallel);
-  // Thinning changes the interval, but hardly what the weights do to it.
-  const double stretch = mean_weighted_interval(points, graph, metric.weights, parallel) / interval;
-  metric.radius = std::min(absolute ? radius : radius * stretch, largest_radius);
-  report.sampling_interval = interval_of_cloud * stretch * points.unit;
-  report.radius = metric.radius * points.unit;
-  return metric;
-}
 
 OrientationCues cues_for(const PointCloudView& cloud, const OrderedPoints& points, const PoissonDiskSampling& sampling)
 {
@@ -145,125 +39,239 @@ OrientationCues cues_for(const PointCloudView& cloud, const OrderedPoints& point
   return cues;
 }
 
-void report_sampling(const PoissonDiskSampling& sampling, Report& report, const Parallel& parallel)
+/** \brief Leaves out what names a seed that may not be a vertex.
+ * \param allowed ranks, ascending */
+void keep_evidence(const PoissonDiskSampling& sampling,
+                   const std::vector<std::uint32_t>& allowed,
+                   GeodesicVoronoi& voronoi)
 {
-  report.seeds = sampling.seeds.size();
-  if (sampling.seeds.empty()) return;
-  double nearest_pair = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t s : sampling.seeds)
-    nearest_pair = std::min(nearest_pair, static_cast<double>(sampling.nearest[s].distance[1]));
-  // Disks are grown to disk_reach; seeds that are nowhere nearer than that to another are reported at it.
-  report.min_seed_distance = std::min(nearest_pair / sampling.radius, disk_reach);
-  constexpr std::size_t block = 65536;
-  const std::vector<float> farthest_of_block = parallel_parts<float>(
-      sampling.nearest.size(), block, parallel, [&](std::size_t begin, std::size_t end, float& farthest) {
-        for (std::size_t i = begin; i < end; ++i) farthest = std::max(farthest, sampling.nearest[i].distance[0]);
-      });
-  const float farthest = *std::max_element(farthest_of_block.begin(), farthest_of_block.end());
-  report.coverage_radius = static_cast<double>(farthest) / sampling.radius;
+  const auto barred = [&](std::uint32_t seed) {
+    return !std::binary_search(allowed.begin(), allowed.end(), sampling.seeds[seed]);
+  };
+  std::vector<SeedPair>& pairs = voronoi.pairs;
+  std::vector<SeedTriple>& triples = voronoi.triples;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [&](const SeedPair& p) { return barred(p.a) || barred(p.b); }),
+              pairs.end());
+  triples.erase(std::remove_if(triples.begin(), triples.end(),
+                               [&](const SeedTriple& t) { return barred(t.a) || barred(t.b) || barred(t.c); }),
+                triples.end());
 }
 
-void report_certificate(Certificate certificate, Reconstruction& result)
+/** \brief Steps 6 to 8 of the flowchart, for one set of seeds. */
+struct Dual
 {
-  Report& report = result.report;
-  report.vertices = certificate.vertices;
-  report.faces = certificate.faces;
-  report.edges = certificate.edges;
-  report.components = certificate.components;
-  report.boundary_loops = certificate.boundary_loops.size();
-  report.nonmanifold_edges = certificate.nonmanifold_edges;
-  report.nonmanifold_vertices = certificate.nonmanifold_vertices;
-  report.inconsistent_edges = certificate.inconsistent_edges;
-  report.euler = certificate.euler;
-  report.closed = certificate.faces > 0 && certificate.boundary_loops.empty();
-  result.boundary_loops = std::move(certificate.boundary_loops);
-}
+  GeodesicVoronoi voronoi;
+  SeedGeometry seeds;
+  SeedGraph graph;
+  std::vector<Triangle> triangles;      ///< of seeds, turned to their outside
+  std::vector<Eigen::Vector3d> placed;  ///< of every seed, in radii; empty: the seeds' own places
+  bool orientable = true;
+  std::size_t filled_holes = 0;
+};
 
-std::size_t peak_resident_bytes()
+/** \brief One call of reconstruct(): its input, and what its stages have in common. */
+class Run
 {
-  rusage usage{};
-  constexpr std::size_t bytes_per_kib = 1024;
-  return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::size_t>(usage.ru_maxrss) * bytes_per_kib : 0;
+ public:
+  Run(const PointCloudView& cloud, const Options& options, const Progress& progress)
+      : cloud_(cloud), options_(options), parallel_(options.threads), clock_(progress)
+  {
+  }
+
+  /** \brief Step 1: neighbours, sampling interval, radius. */
+  void find_radius()
+  {
+    clock_.start("neighbors", 0.0, report_.seconds.neighbors);
+    found_ = find_neighborhoods(cloud_, options_, parallel_);
+    clock_.start("weights", 0.4, report_.seconds.weights);
+    surface_ = estimate_surface(found_.points, found_.graph, parallel_);
+    metric_ = choose_metric(found_, surface_, options_, parallel_, report_);
+    features_ = found_.points.smoothed ? middle_ranks(cloud_, found_.points, parallel_)
+                                       : feature_ranks(surface_, found_.graph, parallel_);
+  }
+
+  /** \brief Steps 2 to 5: seeds and their disks, finest level first. The seeds of a level are among those of the finer
+   * one, whose sampling begins with them. */
+  std::vector<PoissonDiskSampling> sample(double radius, std::size_t levels)
+  {
+    clock_.start("sampling", 0.5, report_.seconds.sampling);
+    std::vector<PoissonDiskSampling> nested(levels);
+    if (radius <= 0) return nested;
+    std::vector<std::uint32_t> coarser;
+    for (std::size_t level = levels; level-- > 0;) {
+      nested[level] = sample(std::ldexp(radius, static_cast<int>(level)), {coarser});
+      coarser = nested[level].seeds;
+    }
+    return nested;
+  }
+
+  /** \brief Steps 6 to 8: Voronoi diagram, adjacent seeds, triangles, holes.
+   * \param allowed ranks of the points that may be vertices, ascending; empty: all */
+  Dual build_dual(const PoissonDiskSampling& sampling, const std::vector<std::uint32_t>& allowed)
+  {
+    Dual dual;
+    clock_.start("voronoi", 0.7, report_.seconds.voronoi);
+    dual.voronoi = build_geodesic_voronoi(found_.points, found_.graph, metric_.weights, sampling,
+                                          options_.voronoi_threshold, parallel_);
+    if (!allowed.empty()) keep_evidence(sampling, allowed, dual.voronoi);
+    if (!repeats_) found_.graph = NeighborGraph();  // half of the memory, and of no more use
+    clock_.start("seed_graph", 0.8, report_.seconds.seed_graph);
+    dual.seeds = describe_seeds(cloud_, found_.points, surface_, sampling, dual.voronoi, parallel_);
+    dual.graph = build_seed_graph(dual.seeds, dual.voronoi.pairs, parallel_);
+
+    clock_.start("faces", 0.85, report_.seconds.faces);
+    const SeedFaces faces = trace_faces(dual.graph, dual.seeds, parallel_);
+    TriangleComplex complex(dual.seeds.position, parallel_,
+                            outward_normals(cloud_, found_.points, dual.seeds, dual.voronoi, parallel_));
+    dual.orientable = add_dual_triangles(complex, faces.triangles, dual.voronoi.triples).empty();
+    clock_.start("holes", 0.9, report_.seconds.holes);
+    FillLimits limits;
+    limits.perimeter = options_.hole_size;
+    dual.filled_holes = fill_holes(complex, dual.seeds, BorderingCells(dual.voronoi.pairs), faces.polygons, limits);
+
+    clock_.start("orientation", 0.95, report_.seconds.orientation);
+    dual.triangles = orient_faces(complex, cues_for(cloud_, found_.points, sampling));
+    if (options_.placement == Placement::quadric) {
+      clock_.start("placement", 0.96, report_.seconds.placement);
+      dual.placed =
+          place_vertices(dual.seeds, dual.triangles, found_.points.position, sampling, dual.voronoi, parallel_);
+    }
+    return dual;
+  }
+
+  /** \brief Moves the seeds to the middle of their cells, step by step, and meshes them anew. */
+  void relax(PoissonDiskSampling& sampling, Dual& dual)
+  {
+    Relaxation relaxation;
+    for (unsigned step = 0; step < options_.relax; ++step) {
+      clock_.start("relaxation", 0.5, report_.seconds.sampling);
+      // Where seeds have moved apart no dart is thrown between them, or there would soon be more and more.
+      const GivenSeeds moved{
+          relaxation.step(dual.seeds, dual.triangles, found_.points, sampling, dual.voronoi, parallel_), disk_reach};
+      sampling = sample(sampling.radius, moved);
+      dual = build_dual(sampling, {});
+    }
+  }
+
+  /** \brief Distance that 99 % of the points keep to the mesh. */
+  double measure_error(const PoissonDiskSampling& sampling, const Dual& dual)
+  {
+    constexpr double share = 0.99;
+    clock_.start("distance", 0.97, report_.seconds.placement);
+    report_.p99_distance =
+        distance_of_share(cloud_, found_.points, sampling, dual.placed.empty() ? dual.seeds.position : dual.placed,
+                          dual.triangles, share, parallel_);
+    return report_.p99_distance;
+  }
+
+  Reconstruction describe(const PoissonDiskSampling& sampling, Dual dual)
+  {
+    clock_.start("output", 0.98, report_.seconds.orientation);
+    Reconstruction result;
+    result.report = report_;
+    Report& report = result.report;
+    const std::vector<std::uint32_t> number_of_seed =
+        number_vertices(std::move(dual.triangles), found_.points, sampling, result, parallel_);
+    describe_points(cloud_, found_.points, sampling, dual.voronoi, number_of_seed, result, parallel_);
+    describe_seed_graph(dual.graph, number_of_seed, result, parallel_);
+    report_certificate(certify(result.triangles, result.seeds.size(), parallel_), result);
+    if (!dual.placed.empty())
+      describe_moved_vertices(dual.placed, found_.points, sampling, dual.voronoi, number_of_seed, result);
+    report_sampling(sampling, found_.points, report, parallel_);
+    clock_.stop();
+    report.seconds = report_.seconds;
+    report.orientable = dual.orientable;
+    report.filled_holes = dual.filled_holes;
+    report.input_points = cloud_.size;
+    report.smoothed = found_.points.smoothed;
+    report.k = options_.k_neighbors;
+    report.threads = parallel_.threads();
+    report.peak_rss_bytes = peak_resident_bytes();
+    report.version = PCL_PDS_RECON_VERSION;
+    report.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    return result;
+  }
+
+  [[nodiscard]] double radius() const { return metric_.radius; }
+  [[nodiscard]] double least_radius() const
+  {
+    return found_.radius > 0 ? metric_.radius * least_radius_factor * found_.interval / found_.radius : 0;
+  }
+  /** \brief Keeps what stages need that may run again. */
+  void repeat_stages() { repeats_ = true; }
+
+ private:
+  PoissonDiskSampling sample(double radius, const GivenSeeds& given) const
+  {
+    return sample_poisson_disks(found_.points, found_.graph, surface_, metric_.weights, features_,
+                                std::min(radius, largest_radius), options_.geodesic_solver, options_.seed, parallel_,
+                                given);
+  }
+
+  const PointCloudView& cloud_;
+  const Options& options_;
+  Parallel parallel_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  StageClock clock_;
+  Report report_;
+  Neighborhoods found_;
+  SurfaceEstimate surface_;
+  Metric metric_;
+  std::vector<std::uint8_t> features_;
+  bool repeats_ = false;
+};
+
+/** \brief Ranks of the seeds that have a face. */
+std::vector<std::uint32_t> vertices_of(const PoissonDiskSampling& sampling, const Dual& dual)
+{
+  std::vector<std::uint8_t> used(sampling.seeds.size());
+  for (const Triangle& t : dual.triangles)
+    for (const std::uint32_t s : t) used[s] = 1;
+  std::vector<std::uint32_t> ranks;
+  for (std::size_t s = 0; s < used.size(); ++s)
+    if (used[s] != 0) ranks.push_back(sampling.seeds[s]);
+  return ranks;
 }
 
 }  // namespace
 
 Reconstruction reconstruct(const PointCloudView& cloud, const Options& options, const Progress& progress)
 {
+  return std::move(reconstruct_levels(cloud, options, 1, progress).front());
+}
+
+std::vector<Reconstruction> reconstruct_levels(const PointCloudView& cloud,
+                                               const Options& options,
+                                               unsigned levels,
+                                               const Progress& progress)
+{
   validate(options);
-  const auto begin = std::chrono::steady_clock::now();
-  const Parallel parallel(options.threads);
-  Reconstruction result;
-  Report& report = result.report;
-  StageClock clock(progress);
+  if (levels < 1 || levels > most_levels) throw InvalidOption("levels must be 1 to 16");
+  if (levels > 1 && options.relax > 0) throw InvalidOption("levels cannot be nested if relax moves their seeds");
+  Run run(cloud, options, progress);
+  run.find_radius();
+  RadiusSearch search(options, run.radius(), run.least_radius());
+  if (levels > 1 || options.relax > 0 || search.active()) run.repeat_stages();
 
-  // Step 1: neighbours, sampling interval, radius.
-  clock.start("neighbors", 0.0, report.seconds.neighbors);
-  Neighborhoods found = find_neighborhoods(cloud, options, parallel);
-  const OrderedPoints& points = found.points;
-  NeighborGraph& graph = found.graph;
-  clock.start("weights", 0.4, report.seconds.weights);
-  const SurfaceEstimate surface = estimate_surface(points, graph, parallel);
-  const Metric metric = choose_metric(found, surface, options, parallel, report);
-
-  // Steps 2 to 5: seeds and their disks.
-  clock.start("sampling", 0.5, report.seconds.sampling);
-  const std::vector<std::uint8_t> features =
-      points.smoothed ? middle_ranks(cloud, points, parallel) : feature_ranks(surface, graph, parallel);
-  PoissonDiskSampling sampling;
-  if (metric.radius > 0)
-    sampling = sample_poisson_disks(points, graph, surface, metric.weights, features, metric.radius,
-                                    options.geodesic_solver, options.seed, parallel);
-
-  // Steps 6 and 7: Voronoi diagram and adjacent seeds.
-  clock.start("voronoi", 0.7, report.seconds.voronoi);
-  const GeodesicVoronoi voronoi =
-      build_geodesic_voronoi(points, graph, metric.weights, sampling, options.voronoi_threshold, parallel);
-  graph = NeighborGraph();  // half of the memory, and of no more use
-  clock.start("seed_graph", 0.8, report.seconds.seed_graph);
-  const SeedGeometry seeds = describe_seeds(cloud, points, surface, sampling, voronoi, parallel);
-  const SeedGraph seed_graph = build_seed_graph(seeds, voronoi.pairs, parallel);
-
-  // Step 8: triangles, holes.
-  clock.start("faces", 0.85, report.seconds.faces);
-  const SeedFaces faces = trace_faces(seed_graph, seeds, parallel);
-  TriangleComplex complex(seeds.position, parallel, outward_normals(cloud, points, seeds, voronoi, parallel));
-  const std::vector<Triangle> one_sided = add_dual_triangles(complex, faces.triangles, voronoi.triples);
-  clock.start("holes", 0.9, report.seconds.holes);
-  FillLimits limits;
-  limits.perimeter = options.hole_size;
-  report.filled_holes = fill_holes(complex, seeds, BorderingCells(voronoi.pairs), faces.polygons, limits);
-
-  clock.start("orientation", 0.95, report.seconds.orientation);
-  std::vector<Triangle> triangles = orient_faces(complex, cues_for(cloud, points, sampling));
-  std::vector<Eigen::Vector3d> placed;
-  if (options.placement == Placement::quadric) {
-    clock.start("placement", 0.96, report.seconds.placement);
-    placed = place_vertices(seeds, triangles, points, sampling, voronoi, parallel);
-    clock.start("output", 0.98, report.seconds.orientation);
+  std::vector<PoissonDiskSampling> samplings;
+  Dual dual;
+  for (bool found = false; !found;) {
+    do samplings = run.sample(search.radius(), levels);
+    while (!search.sampled(samplings[0].seeds.size()));
+    dual = run.build_dual(samplings[0], {});
+    run.relax(samplings[0], dual);
+    found = search.meshed([&] { return vertices_of(samplings[0], dual).size(); },
+                          [&] { return run.measure_error(samplings[0], dual); });
   }
-  const std::vector<std::uint32_t> number_of_seed =
-      number_vertices(std::move(triangles), points, sampling, result, parallel);
-  describe_points(cloud, points, sampling, voronoi, number_of_seed, result, parallel);
-  describe_seed_graph(seed_graph, number_of_seed, result, parallel);
-  report.orientable = one_sided.empty();
-  report_certificate(certify(result.triangles, result.seeds.size(), parallel), result);
-  if (!placed.empty()) describe_moved_vertices(placed, points, sampling, voronoi, number_of_seed, result);
-  report_sampling(sampling, report, parallel);
-  clock.stop();
-
-  report.input_points = cloud.size;
-  report.valid_points = points.valid_points;
-  report.merged_points = points.merged_points;
-  report.outliers = points.outliers;
-  report.thinned_points = points.thinned_points;
-  report.smoothed = points.smoothed;
-  report.k = options.k_neighbors;
-  report.threads = parallel.threads();
-  report.peak_rss_bytes = peak_resident_bytes();
-  report.version = PCL_PDS_RECON_VERSION;
-  report.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return result;
+  std::vector<Reconstruction> results;
+  std::vector<std::uint32_t> vertices = vertices_of(samplings[0], dual);
+  results.push_back(run.describe(samplings[0], std::move(dual)));
+  for (std::size_t level = 1; level < levels; ++level) {
+    Dual coarser = run.build_dual(samplings[level], vertices);
+    vertices = vertices_of(samplings[level], coarser);
+    results.push_back(run.describe(samplings[level], std::move(coarser)));
+  }
+  return results;
 }
 
 }  // namespace pds

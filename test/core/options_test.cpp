@@ -29,6 +29,9 @@ const Field fields[] = {
     {"radius", [](auto& o, double v) { o.radius = v; }, {0, 1e-3, 5}, {-1, nan, inf}},
     {"adaptive", [](auto& o, double v) { o.adaptive = v; }, {0, 0.3, 2}, {-0.1, 2.1, nan, inf}},
     {"voronoi_threshold", [](auto& o, double v) { o.voronoi_threshold = v; }, {0, 1}, {-0.1, 1.1, nan}},
+    {"vertices", [](auto& o, double v) { o.vertices = static_cast<std::uint64_t>(v); }, {0, 4, 20}, {1, 3, 1e15}},
+    {"max_error", [](auto& o, double v) { o.max_error = v; }, {0, 0.5}, {-1, nan, inf}},
+    {"relax", [](auto& o, double v) { o.relax = static_cast<unsigned>(v); }, {0, 2}, {101}},
     {"hole_size", [](auto& o, double v) { o.hole_size = v; }, {0, 15, 1e6}, {-1, nan, inf}},
     {"threads", [](auto& o, double v) { o.threads = static_cast<unsigned>(v); }, {0, 1, 1024}, {1025, 4e9}},
 };

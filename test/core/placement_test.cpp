@@ -77,12 +77,12 @@ TEST(Placement, HalvesTheErrorOfSmoothAndSharpShapes)
 
 TEST(Placement, IsInTheMiddleOfNoise)
 {
-  Points points = torus(cloud_size);
+  Points points = torus(large_cloud);
   Random random(5);
   double noise = 0;
   for (Eigen::Vector3d& p : points) {
     p += 0.01 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
-    noise += std::abs(distance_from_torus(p)) / static_cast<double>(cloud_size);
+    noise += std::abs(distance_from_torus(p)) / static_cast<double>(large_cloud);
   }
   const pds::Reconstruction mesh = reconstruct(points, quadric_options());
   EXPECT_LT(mean_distance(mesh, mesh.moved.position, distance_from_torus), 0.35 * noise);

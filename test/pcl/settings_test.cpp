@@ -103,6 +103,9 @@ TEST(PoissonDiskReconstruction, SettersAndGettersAgreeAndRunsKeepSettings)
   EXPECT_EQ(reconstruction.getVoronoiThreshold(), defaults.voronoi_threshold);
   EXPECT_EQ(reconstruction.getHoleSize(), defaults.hole_size);
   EXPECT_EQ(reconstruction.getGeodesicSolver(), defaults.geodesic_solver);
+  EXPECT_EQ(reconstruction.getNumberOfVertices(), defaults.vertices);
+  EXPECT_EQ(reconstruction.getMaximumError(), defaults.max_error);
+  EXPECT_EQ(reconstruction.getRelaxationSteps(), defaults.relax);
   EXPECT_EQ(reconstruction.getPlacement(), defaults.placement);
   EXPECT_EQ(reconstruction.getNumberOfThreads(), defaults.threads);
   EXPECT_EQ(reconstruction.getSeed(), defaults.seed);
@@ -138,6 +141,18 @@ TEST(PoissonDiskReconstruction, SettersAndGettersAgreeAndRunsKeepSettings)
   EXPECT_EQ(reconstruction.getReport().threads, 2u);
   reconstruction.setNumberOfThreads();
   EXPECT_EQ(reconstruction.getNumberOfThreads(), 0u);
+
+  reconstruction.setNumberOfVertices(200);
+  reconstruction.setRelaxationSteps(1);
+  reconstruction.reconstruct(polygons);
+  EXPECT_EQ(reconstruction.getRelaxationSteps(), 1u);
+  EXPECT_NEAR(static_cast<double>(reconstruction.getReport().vertices), 200, 2);
+  reconstruction.setNumberOfVertices(0);
+  reconstruction.setMaximumError(0.02);
+  reconstruction.reconstruct(polygons);
+  EXPECT_EQ(reconstruction.getMaximumError(), 0.02);
+  EXPECT_LE(reconstruction.getReport().p99_distance, 0.02);
+  EXPECT_GT(reconstruction.getReport().p99_distance, 0.01);
 }
 
 TEST(PoissonDiskReconstruction, ReportsProgressAndSurvivesAThrowingCallback)

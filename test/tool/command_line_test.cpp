@@ -102,6 +102,10 @@ TEST(CommandLineTest, takes_several_inputs_streams_classes_and_normals)
     EXPECT_TRUE(contains(complaint_with_files({std::string("--class=") + bad}), "--class")) << bad;
   }
   EXPECT_TRUE(contains(complaint({"a.ply", "a.ply", "out.ply"}), "named twice"));
+  EXPECT_TRUE(contains(complaint({"a.ply", "out_1.ply", "out.ply", "--levels", "2"}), "named twice"));
+  EXPECT_TRUE(contains(complaint({"a.ply", "-", "--levels", "2"}), "standard output"));
+  EXPECT_TRUE(contains(complaint_with_files({"--levels", "2", "--relax", "1"}), "exclude each other"));
+  EXPECT_TRUE(contains(complaint_with_files({"-n", "100", "--max-error", "1"}), "exclude each other"));
 }
 
 TEST(CommandLineTest, names_the_option_that_is_no_number)
@@ -126,6 +130,10 @@ TEST(CommandLineTest, names_the_option_out_of_range)
       {"--adaptive", {"-0.1", "2.1"}},
       {"--voronoi-threshold", {"-0.1", "1.1"}},
       {"--hole-size", {"-1"}},
+      {"--vertices", {"3", "-1", "4294967296"}},
+      {"--max-error", {"-1"}},
+      {"--relax", {"101", "-1"}},
+      {"--levels", {"0", "17", "-1"}},
       {"--threads", {"-1"}},
       {"--seed", {"-1", "18446744073709551616"}}};
   for (const auto& [option, values] : rejected) {
@@ -188,6 +196,10 @@ TEST_F(Config, round_trip_gives_the_same_run)
                                               "3",
                                               "--seed",
                                               "9",
+                                              "-n",
+                                              "1234",
+                                              "--levels",
+                                              "3",
                                               "--placement",
                                               "quadric",
                                               "--class",
@@ -205,6 +217,8 @@ TEST_F(Config, round_trip_gives_the_same_run)
   EXPECT_EQ(loaded.options.radius_factor, 2.3000000000000003);
   EXPECT_EQ(loaded.options.radius, 1e-7);
   EXPECT_EQ(loaded.options.placement, Placement::quadric);
+  EXPECT_EQ(loaded.options.vertices, 1234U);
+  EXPECT_EQ(loaded.levels, 3U);
   EXPECT_EQ(loaded.report_file, "my report.json");
   EXPECT_EQ(loaded.classes, saved.classes);
   EXPECT_TRUE(loaded.normals);

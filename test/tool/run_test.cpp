@@ -115,6 +115,19 @@ TEST_F(Run, quadric_placement_gives_means_of_quantities_and_keeps_classes)
   EXPECT_LT(on_sphere, moved.size() / 2) << "vertices lie beyond the bend of the surface";
 }
 
+TEST_F(Run, levels_are_written_beside_each_other_and_nested)
+{
+  write("in.xyz", sphere_rows(point_count, 10, 0, 0));
+  ASSERT_EQ(run("-q --levels 2 in.xyz out.ply"), 0) << errors();
+  const auto fine = positions(read_points(path("out.ply"), Parallel(2)));
+  const auto coarse = positions(read_points(path("out_1.ply"), Parallel(2)));
+  EXPECT_LT(coarse.size(), fine.size() / 3);
+  EXPECT_TRUE(std::includes(fine.begin(), fine.end(), coarse.begin(), coarse.end()));
+  EXPECT_EQ(run("-q --levels 16 in.xyz none.ply"), 1);
+  EXPECT_TRUE(complained_of("in.xyz: no faces"));
+  EXPECT_FALSE(std::filesystem::exists(path("none.ply")));
+}
+
 TEST_F(Run, logs_stages_unless_quiet_and_more_if_verbose)
 {
   write("in.xyz", sphere_rows(point_count, 1, 0, 0));

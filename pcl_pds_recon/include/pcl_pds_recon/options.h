@@ -28,15 +28,23 @@ enum class Placement
  */
 struct Options
 {
-  int k_neighbors = 15;            ///< neighbours per point, the point itself not counted (4 ... 200)
-  double radius_factor = 3.0;      ///< Poisson-disk radius in sampling intervals (1.5 ... 1000)
-  double radius = 0.0;             ///< absolute Poisson-disk radius; 0 = radius_factor sampling intervals
+  int k_neighbors = 15;        ///< neighbours per point, the point itself not counted (4 ... 200)
+  double radius_factor = 3.0;  ///< Poisson-disk radius in sampling intervals (1.5 ... 1000)
+  double radius = 0.0;         ///< absolute Poisson-disk radius; 0 = radius_factor sampling intervals
+  /** Vertices of the mesh, 4 to 2^31, within 0.5 % or 2; the radius follows from it. 0 = by the radius. */
+  std::uint64_t vertices = 0;
+  /** Fewest vertices for which 99 % of the points are within this distance of the mesh; the radius follows from it.
+   * 0 = by the radius. */
+  double max_error = 0.0;
   double adaptive = 0.0;           ///< curvature coefficient c of the weight exp(c x); 0 = uniform (0 ... 2)
   double voronoi_threshold = 0.1;  ///< a witness's two distances differ by less than this many radii (0 ... 1)
   /** Perimeter limit of filled holes in radii (15 by default): larger ones stay open, but for those across which
    * Voronoi cells border everywhere, which shows that there is surface. 0 = fill nothing, three-sided faces of the
    * Voronoi dual only. */
   double hole_size = 15.0;
+  /** Steps of Lloyd's relaxation, each of which moves every seed to the middle of its Voronoi cell (0 ... 100):
+   * triangles come nearer to equilateral, and seeds nearer to each other than the radius. */
+  unsigned relax = 0;
   GeodesicSolver geodesic_solver = GeodesicSolver::fast_marching;  ///< how disks are grown
   Placement placement = Placement::point;                          ///< where the vertices are
   unsigned threads = 0;    ///< worker threads (0 ... 1024); 0 = all cores. The result does not depend on it

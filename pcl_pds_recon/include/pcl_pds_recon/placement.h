@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <pcl_pds_recon/geodesic_voronoi.h>
-#include <pcl_pds_recon/ordered_points.h>
+#include <pcl_pds_recon/point_array.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/seed_graph.h>
 #include <pcl_pds_recon/triangle_complex.h>
@@ -21,12 +21,13 @@ namespace pds
  * faces say nothing about a direction, it does not move along it. A vertex stays in its cell, and none moves so far
  * that a face folds onto another one or turns over. O(points).
  *
+ * \param points positions by rank, in units of position
  * \param triangles oriented and manifold; vertices are seeds
  * \return a position for every seed, in radii; seeds without a face stay where they are
  */
 [[nodiscard]] std::vector<Eigen::Vector3d> place_vertices(const SeedGeometry& seeds,
                                                           const std::vector<Triangle>& triangles,
-                                                          const OrderedPoints& points,
+                                                          const PointArray<Eigen::Vector3f>& points,
                                                           const PoissonDiskSampling& sampling,
                                                           const GeodesicVoronoi& voronoi,
                                                           const Parallel& parallel);

@@ -70,6 +70,13 @@ struct PoissonDiskSampling
  * although distances measured from either side differ a little. */
 constexpr double disk_reach = 1.25;
 
+/** \brief Seeds that are there before the first dart, however close to each other. */
+struct GivenSeeds
+{
+  std::vector<std::uint32_t> ranks;  ///< ascending
+  double coverage = 1.0;             ///< darts are thrown at points farther from all seeds; in radii, up to disk_reach
+};
+
 /** \brief Dart throwing over geodesic disks (paper, flowchart steps 2 to 5).
  *
  * The distance of two points is the smaller of those measured from either. Space is cut into cells of four times the
@@ -81,6 +88,7 @@ constexpr double disk_reach = 1.25;
  * \param feature_rank per point, 0 ... 15: points of higher rank are tried first
  * \param radius in units of position
  * \param seed picks the order
+ * \param given seeds before the first dart
  */
 [[nodiscard]] PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                                        const NeighborGraph& graph,
@@ -90,6 +98,7 @@ constexpr double disk_reach = 1.25;
                                                        double radius,
                                                        GeodesicSolver solver,
                                                        std::uint64_t seed,
-                                                       const Parallel& parallel);
+                                                       const Parallel& parallel,
+                                                       const GivenSeeds& given = {});
 
 }  // namespace pds

@@ -70,4 +70,19 @@ using Progress = std::function<void(const char* stage, double fraction)>;
                                          const Options& options,
                                          const Progress& progress = {});
 
+constexpr unsigned most_levels = 16;  ///< of detail: the coarsest radius is 2^15 times as large as the finest
+
+/** \brief Reconstructs nested levels of detail in one run.
+ *
+ * The first level is the mesh of the options, and each further one has twice the radius, so about a quarter of the
+ * vertices, which are all among those of the level before.
+ *
+ * \param levels 1 ... 16
+ * \throws InvalidOption besides, if \a levels is out of range, or above 1 and options.relax is not 0
+ */
+[[nodiscard]] std::vector<Reconstruction> reconstruct_levels(const PointCloudView& cloud,
+                                                             const Options& options,
+                                                             unsigned levels,
+                                                             const Progress& progress = {});
+
 }  // namespace pds

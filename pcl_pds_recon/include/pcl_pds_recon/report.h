@@ -19,7 +19,7 @@ struct StageSeconds
   double faces = 0;        ///< faces of the planar graph and their triangles
   double holes = 0;        ///< hole filling
   double orientation = 0;  ///< orientation, output order, certificate
-  double placement = 0;    ///< moving the vertices, if they are placed off the points
+  double placement = 0;    ///< moving the vertices off the points and measuring their distance, if asked for
   double save = 0;         ///< writing the output file (command tool)
   double total = 0;        ///< the whole run
 };
@@ -51,7 +51,8 @@ struct Report
   long long euler = 0;                   ///< vertices - edges + faces
   bool closed = false;                   ///< there are faces and no boundary
   bool orientable = true;                ///< false: the surface is one-sided and was cut open
-  std::size_t filled_holes = 0;          ///< polygons of more than three sides that were triangulated
+  double p99_distance = 0;       ///< 99 % of the points are that near to the mesh, in input units; 0: not measured
+  std::size_t filled_holes = 0;  ///< polygons of more than three sides that were triangulated
   /** Least distance of two seeds, refined ones aside, in radii, in the run's metric; disks are grown to 1.25 radii, so
    * that is the largest value. */
   double min_seed_distance = 0;

@@ -90,6 +90,31 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
   /** \brief Get the radius of the Poisson disks as it was set; getReport().radius is the one that was used. */
   double getRadius() const { return options_.radius; }
 
+  /** \brief Set the number of vertices of the mesh, from which the radius follows.
+   * \param[in] vertices number of vertices, which is kept within 0.5 % or 2; 0 (default) = by the radius
+   */
+  void setNumberOfVertices(std::uint64_t vertices) { options_.vertices = vertices; }
+
+  /** \brief Get the number of vertices as it was set; 0 = by the radius. */
+  std::uint64_t getNumberOfVertices() const { return options_.vertices; }
+
+  /** \brief Set how far the mesh may be from the cloud, from which the radius follows.
+   * \param[in] distance 99 % of the points are within this distance of the mesh, which has as few vertices as that
+   * takes; in the unit of the cloud, 0 (default) = by the radius
+   */
+  void setMaximumError(double distance) { options_.max_error = distance; }
+
+  /** \brief Get how far the mesh may be from the cloud; 0 = by the radius. */
+  double getMaximumError() const { return options_.max_error; }
+
+  /** \brief Set how often the samples are moved to the middle of their Voronoi cells, which evens out the triangles.
+   * \param[in] steps number of steps (0 ... 100, default 0). Samples may then be nearer to each other than the radius.
+   */
+  void setRelaxationSteps(unsigned steps) { options_.relax = steps; }
+
+  /** \brief Get how often the samples are moved to the middle of their Voronoi cells. */
+  unsigned getRelaxationSteps() const { return options_.relax; }
+
   /** \brief Set how much denser the mesh is where the surface is curved ("Adaptive sampling").
    * \param[in] c coefficient of the weight exp(c x) of distances, x the curvature divided by its mean over the cloud
    * (0 ... 2, default 0 = uniform; the paper uses 0.1, 0.25 and 0.3)

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <numeric>
+
+#include "core_testing.h"
+
+/** \brief Meshes of a wanted number of vertices or distance, levels of detail, and even triangles. */
+namespace pds_test
+{
+namespace
+{
+
+constexpr std::size_t cloud_size = 20000;
+
+TEST(VertexCount, IsHitWithinHalfAPercentOrTwo)
+{
+  const Points ring = torus(cloud_size);
+  for (const std::uint64_t wanted : {12U, 100U, 333U, 1000U, 2000U})
+    for (const double adaptive : {0.0, 0.25}) {
+      pds::Options options;
+      options.vertices = wanted;
+      options.adaptive = adaptive;
+      const pds::Reconstruction mesh = reconstruct(ring, options);
+      expect_sound(mesh, ring);
+      EXPECT_LE(std::abs(static_cast<double>(mesh.report.vertices) - static_cast<double>(wanted)),
+                std::max(2.0, 0.005 * static_cast<double>(wanted)))
+          << wanted << " vertices, adaptive " << adaptive;
+    }
+}
+
+TEST(VertexCount, BeyondWhatThePointsCarryIsRefused)
+{
+  pds::Options options;
+  options.vertices = cloud_size / 2;
+  try {
+    static_cast<void>(reconstruct(torus(cloud_size), options));
+    ADD_FAILURE() << "was accepted";
+  } catch (const pds::InvalidInput& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("vertices: 10000 are too many for 20000 points", 0), 0U) << error.what();
+  }
+}
+
+TEST(MaxError, IsKeptWithFewVertices)
+{
+  const Points ring = torus(cloud_size);
+  std::size_t more = 0;
+  for (const double error : {0.008, 0.015, 0.03}) {
+    pds::Options options;
+    options.max_error = error;
+    const pds::Reconstruction mesh = reconstruct(ring, options);
+    expect_sound(mesh, ring);
+    EXPECT_LE(mesh.report.p99_distance, error);
+    EXPECT_GT(mesh.report.p99_distance, 0.8 * error);
+    if (more > 0) {
+      EXPECT_LT(mesh.report.vertices, more);
+    }
+    more = mesh.report.vertices;
+  }
+}
+
+TEST(MaxError, BeyondThePointsIsRefused)
+{
+  pds::Options options;
+  options.max_error = 1e-9;
+  EXPECT_THROW(static_cast<void>(reconstruct(torus(cloud_size), options)), pds::InvalidInput);
+}
+
+TEST(Levels, AreNestedAndSound)
+{
+  const Points points = joined(torus(cloud_size), saddle(8000));
+  pds::Options options;
+  options.threads = 1;
+  const std::vector<pds::Reconstruction> levels = pds::reconstruct_levels(view_of(points), options, 3);
+  ASSERT_EQ(levels.size(), 3U);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    SCOPED_TRACE(level);
+    expect_sound(levels[level], points);
+    if (level == 0) continue;
+    const auto vertices = [&](const pds::Reconstruction& mesh) {
+      return std::set<std::uint32_t>(mesh.seeds.begin(),
+                                     mesh.seeds.begin() + static_cast<std::ptrdiff_t>(mesh.report.vertices));
+    };
+    const std::set<std::uint32_t> finer = vertices(levels[level - 1]);
+    const std::set<std::uint32_t> own = vertices(levels[level]);
+    EXPECT_TRUE(std::includes(finer.begin(), finer.end(), own.begin(), own.end()));
+    EXPECT_LT(own.size(), finer.size() / 3);
+    EXPECT_GT(own.size(), finer.size() / 6);
+  }
+  options.threads = 3;
+  EXPECT_EQ(pds::reconstruct_levels(view_of(points), options, 3).back().triangles, levels.back().triangles);
+}
+
+TEST(Levels, AreRefusedOutOfRangeOrRelaxed)
+{
+  const Points points = sphere(300);
+  pds::Options options;
+  EXPECT_THROW(static_cast<void>(pds::reconstruct_levels(view_of(points), options, 0)), pds::InvalidOption);
+  EXPECT_THROW(static_cast<void>(pds::reconstruct_levels(view_of(points), options, 17)), pds::InvalidOption);
+  options.relax = 1;
+  EXPECT_THROW(static_cast<void>(pds::reconstruct_levels(view_of(points), options, 2)), pds::InvalidOption);
+}
+
+/** \brief Mean of the smallest angles of the faces, in degrees. */
+double mean_smallest_angle(const pds::Reconstruction& mesh, const Points& vertices)
+{
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    double smallest = pi;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector3d u = vertices[t[(i + 1) % 3]] - vertices[t[i]];
+      const Eigen::Vector3d v = vertices[t[(i + 2) % 3]] - vertices[t[i]];
+      smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)));
+    }
+    sum += smallest * 180 / pi;
+  }
+  return sum / static_cast<double>(mesh.triangles.size());
+}
+
+TEST(Relaxation, EvensOutTheTriangles)
+{
+  const Points points = torus(2 * cloud_size);
+  pds::Options options;
+  options.relax = 15;
+  const pds::Reconstruction mesh = reconstruct(points, options);
+  const MeshFacts facts = examine(mesh.triangles, vertex_positions(mesh, points));
+  EXPECT_EQ(facts.nonmanifold_edges + facts.nonmanifold_vertices + facts.inconsistent_edges + facts.folded_edges, 0U);
+  EXPECT_TRUE(mesh.report.closed);
+  EXPECT_EQ(mesh.report.euler, 0);
+  EXPECT_GE(mean_smallest_angle(mesh, vertex_positions(mesh, points)), 48.0);
+  const pds::Reconstruction before = reconstruct(points);
+  EXPECT_LT(mean_smallest_angle(before, vertex_positions(before, points)), 46.0);
+}
+
+TEST(Relaxation, KeepsTheRim)
+{
+  const Points points = plane(cloud_size);
+  pds::Options options;
+  const double area = examine(reconstruct(points).triangles, vertex_positions(reconstruct(points), points)).area;
+  options.relax = 5;
+  const pds::Reconstruction mesh = reconstruct(points, options);
+  const MeshFacts facts = examine(mesh.triangles, vertex_positions(mesh, points));
+  EXPECT_EQ(facts.boundary_loops, 1U);
+  EXPECT_GT(facts.area, 0.995 * area);
+}
+
+TEST(Relaxation, DependsOnNeitherThreadsNorInputOrder)
+{
+  const Points points = joined(cube(8000), saddle(8000));
+  pds::Options options;
+  options.relax = 3;
+  options.threads = 1;
+  const pds::Reconstruction reference = reconstruct(points, options);
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  Random(3).shuffle(order);
+  Points shuffled;
+  for (const std::uint32_t i : order) shuffled.push_back(points[i]);
+  options.threads = 3;
+  const pds::Reconstruction other = reconstruct(shuffled, options);
+  EXPECT_EQ(vertex_positions(other, shuffled), vertex_positions(reference, points));
+  EXPECT_EQ(other.triangles, reference.triangles);
+}
+
+}  // namespace
+}  // namespace pds_test
