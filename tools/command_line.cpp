@@ -167,6 +167,10 @@ void check_levels(const CommandLine& command_line)
   if (command_line.levels > 1 && command_line.options.relax > 0) {
     throw UsageError("--levels and --relax exclude each other: relaxation would move the vertices of one level only");
   }
+}
+
+void check_outputs_of_levels(const CommandLine& command_line)
+{
   if (command_line.levels > 1 && command_line.output == standard_stream) {
     throw UsageError("--levels: several meshes cannot go to standard output; name a file as OUTPUT");
   }
@@ -206,9 +210,10 @@ CommandLine interpret(const po::variables_map& arguments)
     throw UsageError("-q and -v exclude each other; give one");
   }
   take_options(arguments, command_line);
+  check_levels(command_line);
   take_files(arguments, command_line);
   check_output_names(command_line);
-  check_levels(command_line);
+  check_outputs_of_levels(command_line);
   check_files_differ(command_line);
   return command_line;
 }
