@@ -36,7 +36,7 @@ struct Texts
 /** \brief Options of the command tool that are about its outputs and messages, which the viewer has not. */
 bool concerns_viewer(const OptionRow& row)
 {
-  constexpr std::array<const char*, 8> others = {"normals", "ascii",       "report", "html",
+  constexpr std::array<const char*, 9> others = {"normals", "ascii",       "levels", "report", "html",
                                                  "voronoi", "save-config", "quiet",  "verbose"};
   return std::none_of(others.begin(), others.end(), [&row](const char* name) { return row.name == name; });
 }
