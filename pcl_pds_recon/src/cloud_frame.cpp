@@ -105,7 +105,8 @@ void survey_axis(const Columns& columns, std::size_t axis, double low, double hi
     below += value[i] < low ? 1U : 0U;
     // Without a branch: every value is written, and stays if the next place is beyond it.
     bracketed[count] = value[i];
-    count += (value[i] >= low) & (value[i] <= high) ? 1U : 0U;
+    const bool is_bracketed = (value[i] >= low) & (value[i] <= high);
+    count += is_bracketed ? 1U : 0U;
   }
   found.bounds.low[static_cast<int>(axis)] = least;
   found.bounds.high[static_cast<int>(axis)] = greatest;
