@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -19,16 +18,6 @@ struct KeyBits
   int first;
   int count;
 };
-
-/** \brief An array that is not written before it has values. */
-template <typename Item>
-using RawArray = std::unique_ptr<Item[]>;
-
-template <typename Item>
-RawArray<Item> make_raw_array(std::size_t size)
-{
-  return RawArray<Item>(new Item[size]);
-}
 
 /** \brief One pass of the sort: moves items to where their digit belongs, in the order in which they are. */
 template <typename Item, typename DigitOf>
