@@ -5,7 +5,6 @@
 #include "option_table.h"
 #include "outputs.h"
 #include "progress.h"
-#include "stage_times.h"
 
 #include <pcl_pds_recon/reconstruction.h>
 
@@ -13,9 +12,11 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <initializer_list>
 #include <iostream>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pds
@@ -100,11 +101,23 @@ void print_options(const CommandLine& command_line, ProgressReporter& progress)
 
 void print_summary(const Report& report, ProgressReporter& progress)
 {
-  for (const auto& [stage, duration] : stage_times(report.seconds)) {
+  const StageSeconds& seconds = report.seconds;
+  const std::initializer_list<std::pair<const char*, double>> stages = {{"load", seconds.load},
+                                                                        {"neighbors", seconds.neighbors},
+                                                                        {"weights", seconds.weights},
+                                                                        {"sampling", seconds.sampling},
+                                                                        {"voronoi", seconds.voronoi},
+                                                                        {"seed_graph", seconds.seed_graph},
+                                                                        {"faces", seconds.faces},
+                                                                        {"holes", seconds.holes},
+                                                                        {"orientation", seconds.orientation},
+                                                                        {"placement", seconds.placement},
+                                                                        {"save", seconds.save}};
+  for (const auto& [stage, duration] : stages) {
     progress.detail(fmt::format("{}: {:.3f} s", stage, duration));
   }
   progress.info(fmt::format("{} vertices, {} faces, {} components, {} boundary loops; {:.2f} s", report.vertices,
-                            report.faces, report.components, report.boundary_loops, report.seconds.total));
+                            report.faces, report.components, report.boundary_loops, seconds.total));
 }
 
 void run(const CommandLine& command_line)

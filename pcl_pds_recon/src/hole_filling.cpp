@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include "polygon_triangulation.h"
 
 namespace pds
 {
@@ -18,6 +19,12 @@ using Eigen::Vector3d;
 constexpr std::size_t most_corners = 48;  // bounds the cubic cost; a perimeter of 15 radii has about 12
 constexpr int rounds = 2;                 // of cleaning and filling
 constexpr double widening = 1.5;          // how much longer a hole may get by mending
+
+// Noisy scans tear and leave gaps, whose frayed rims are longer than those of a cut hole of their size.
+constexpr double gap_perimeter = 1.5;      // of a circle as large as the gap, in limits of the perimeter ...
+constexpr double gap_share = 1.0 / 500.0;  // ... and this share of its component's area: beyond it may be an opening
+constexpr double gap_chord = 6.0;          // radii; such a circle is 7 wide
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double perimeter(const TriangleComplex& complex, const Polygon& polygon)
@@ -26,121 +33,6 @@ double perimeter(const TriangleComplex& complex, const Polygon& polygon)
   for (std::size_t i = 0; i < polygon.size(); ++i)
     sum += (complex.position()[polygon[i]] - complex.position()[polygon[(i + 1) % polygon.size()]]).norm();
   return sum;
-}
-
-double squared_circumradius(const Vector3d& a, const Vector3d& b, const Vector3d& c)
-{
-  const double area2 = (b - a).cross(c - a).squaredNorm();  // four times the squared area
-  const double product = (b - a).squaredNorm() * (c - b).squaredNorm() * (a - c).squaredNorm();
-  return area2 > 0 ? product / (4 * area2) : infinity;
-}
-
-/** \brief Minimum-weight triangulation of a polygon in space by dynamic programming over its chords. */
-class PolygonTriangulation
-{
- public:
-  /** \param bordering null if any chord will do */
-  PolygonTriangulation(const TriangleComplex& complex,
-                       const BorderingCells* bordering,
-                       const Polygon& polygon,
-                       const FillLimits& limits)
-      : complex_(complex),
-        bordering_(bordering),
-        polygon_(polygon),
-        limits_(limits),
-        n_(polygon.size()),
-        largest_cosine_(std::cos(limits.smallest_angle)),
-        cost_(n_ * n_, infinity),
-        apex_(n_ * n_, 0)
-  {
-    for (std::size_t i = 0; i + 1 < n_; ++i) cost_[i * n_ + i + 1] = 0;
-    for (std::size_t span = 2; span < n_; ++span)
-      for (std::size_t i = 0; i + span < n_; ++i) solve(i, i + span);
-  }
-
-  [[nodiscard]] bool exists() const { return cost_[n_ - 1] < infinity; }
-
-  [[nodiscard]] std::vector<Triangle> triangles() const
-  {
-    std::vector<Triangle> result;
-    std::vector<std::pair<std::size_t, std::size_t>> stack{{0, n_ - 1}};
-    while (!stack.empty()) {
-      const auto [i, j] = stack.back();
-      stack.pop_back();
-      if (j - i < 2) continue;
-      const std::size_t m = apex_[i * n_ + j];
-      result.push_back({polygon_[i], polygon_[m], polygon_[j]});
-      stack.emplace_back(i, m);
-      stack.emplace_back(m, j);
-    }
-    return result;
-  }
-
- private:
-  [[nodiscard]] const Vector3d& at(std::size_t i) const { return complex_.position()[polygon_[i]]; }
-
-  [[nodiscard]] bool is_side(std::size_t i, std::size_t j) const { return j == i + 1 || (i == 0 && j == n_ - 1); }
-
-  void solve(std::size_t i, std::size_t j)
-  {
-    if (!is_side(i, j) && !chord_allowed(i, j)) return;
-    for (std::size_t m = i + 1; m < j; ++m) {
-      const double below = cost_[i * n_ + m] + cost_[m * n_ + j];
-      if (below == infinity || folds(i, m, j) || folds(m, j, i) || (is_side(i, j) && folds_outside(i, j, m))) continue;
-      const double cost = below + squared_circumradius(at(i), at(m), at(j));
-      if (cost < cost_[i * n_ + j]) {
-        cost_[i * n_ + j] = cost;
-        apex_[i * n_ + j] = m;
-      }
-    }
-  }
-
-  /** \brief Whether a triangle with this apex folds onto what lies beyond its edge (i, j): another triangle of the
-   * filling, or the face outside the polygon. */
-  [[nodiscard]] bool folds(std::size_t i, std::size_t j, std::size_t apex) const
-  {
-    if (j == i + 1) return folds_outside(i, j, apex);
-    return TriangleComplex::fold_cosine(at(i), at(j), at(apex), at(apex_[i * n_ + j])) > largest_cosine_;
-  }
-
-  [[nodiscard]] bool folds_outside(std::size_t i, std::size_t j, std::size_t apex) const
-  {
-    const std::uint32_t a = polygon_[i];
-    const std::uint32_t b = polygon_[j];
-    for (const std::uint32_t f : complex_.faces_at(a)) {
-      const Triangle t = complex_.oriented(f);
-      if (t[0] != b && t[1] != b && t[2] != b) continue;
-      const std::uint32_t outside = t[0] + t[1] + t[2] - a - b;
-      if (TriangleComplex::fold_cosine(at(i), at(j), at(apex), complex_.position()[outside]) > largest_cosine_)
-        return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] bool chord_allowed(std::size_t i, std::size_t j) const
-  {
-    return (at(i) - at(j)).norm() <= limits_.chord && !complex_.has_edge(polygon_[i], polygon_[j]) &&
-           (bordering_ == nullptr || (*bordering_)(polygon_[i], polygon_[j]));
-  }
-
-  const TriangleComplex& complex_;
-  const BorderingCells* bordering_;
-  const Polygon& polygon_;
-  const FillLimits& limits_;
-  std::size_t n_;
-  double largest_cosine_;
-  std::vector<double> cost_;  ///< of the sub-polygon i ... j, at i * n + j
-  std::vector<std::size_t> apex_;
-};
-
-/** \brief The triangulation of a polygon; empty if there is none. */
-std::vector<Triangle> triangulate(const TriangleComplex& complex,
-                                  const BorderingCells* bordering,
-                                  const Polygon& polygon,
-                                  const FillLimits& limits)
-{
-  const PolygonTriangulation triangulation(complex, bordering, polygon, limits);
-  return triangulation.exists() ? triangulation.triangles() : std::vector<Triangle>{};
 }
 
 /** \brief The two polygons on either side of the chord between the corners i and j, i < j. */
@@ -178,6 +70,14 @@ std::vector<Triangle> fill_in_parts(const TriangleComplex& complex,
     return filling;
   }
   return {};
+}
+
+double area_of(const std::vector<Triangle>& triangles, const std::vector<Vector3d>& position)
+{
+  double sum = 0;
+  for (const Triangle& t : triangles)
+    sum += 0.5 * (position[t[1]] - position[t[0]]).cross(position[t[2]] - position[t[0]]).norm();
+  return sum;
 }
 
 /** \brief The triangles that fill_polygon() adds; empty if there are none. */
@@ -280,6 +180,21 @@ std::size_t mend_holes(TriangleComplex& complex, const BorderingCells& bordering
   return mended;
 }
 
+/** \brief By vertex: area of the component that it is in. Every vertex must have a single fan. */
+std::vector<double> component_areas(const TriangleComplex& complex)
+{
+  std::vector<double> areas(complex.vertex_count());
+  for (const std::vector<std::uint32_t>& component : complex.components()) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(component.size());
+    for (const std::uint32_t f : component) triangles.push_back(complex.oriented(f));
+    const double area = area_of(triangles, complex.position());
+    for (const Triangle& t : triangles)
+      for (const std::uint32_t v : t) areas[v] = area;
+  }
+  return areas;
+}
+
 }  // namespace
 
 std::vector<Polygon> boundary_loops(const TriangleComplex& complex)
@@ -322,7 +237,7 @@ bool fill_polygon(TriangleComplex& complex,
 {
   if (polygon.size() < 3 || polygon.size() > most_corners) return false;
   const std::vector<Triangle> filling = find_filling(complex, bordering, polygon, limits);
-  if (filling.empty()) return false;
+  if (filling.empty() || area_of(filling, complex.position()) > limits.area) return false;
   complex.begin_trial();
   for (const Triangle& t : filling)
     if (complex.add(t, limits.smallest_angle) != TriangleComplex::Verdict::legal) {
@@ -348,6 +263,27 @@ std::size_t fill_holes(TriangleComplex& complex,
     if (limits.perimeter > 0) filled += fill_loops(complex, bordering, limits);
   }
   if (limits.perimeter > 0) filled += mend_holes(complex, bordering, limits);
+  clean_mesh(complex, seeds);
+  return filled;
+}
+
+std::size_t fill_gaps(TriangleComplex& complex,
+                      const SeedGeometry& seeds,
+                      const BorderingCells& bordering,
+                      const FillLimits& limits)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const double radius = gap_perimeter * limits.perimeter / (2 * pi);
+  const std::vector<double> component_area = component_areas(complex);
+  FillLimits of_gaps = limits;
+  of_gaps.perimeter = infinity;
+  of_gaps.chord = gap_chord;
+  std::size_t filled = 0;
+  for (const Polygon& loop : boundary_loops(complex)) {
+    if (loop.size() > most_corners || loop_through(complex, loop.front()) != loop) continue;
+    of_gaps.area = std::min(pi * radius * radius, gap_share * component_area[loop.front()]);
+    if (fill_polygon(complex, bordering, loop, of_gaps) || mend_hole(complex, bordering, loop, of_gaps)) ++filled;
+  }
   clean_mesh(complex, seeds);
   return filled;
 }

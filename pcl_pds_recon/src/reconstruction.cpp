@@ -127,7 +127,10 @@ class Run
     clock_.start("holes", 0.9, report_.seconds.holes);
     FillLimits limits;
     limits.perimeter = options_.hole_size;
-    dual.filled_holes = fill_holes(complex, dual.seeds, BorderingCells(dual.voronoi.pairs), faces.polygons, limits);
+    const BorderingCells bordering(dual.voronoi.pairs);
+    dual.filled_holes = fill_holes(complex, dual.seeds, bordering, faces.polygons, limits);
+    if (found_.points.smoothed && limits.perimeter > 0)
+      dual.filled_holes += fill_gaps(complex, dual.seeds, bordering, limits);
 
     clock_.start("orientation", 0.95, report_.seconds.orientation);
     dual.triangles = orient_faces(complex, cues_for(cloud_, found_.points, sampling));

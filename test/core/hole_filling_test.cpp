@@ -16,15 +16,16 @@ using pds::TriangleComplex;
 const std::vector<pds::SeedPair> no_pairs;
 const pds::BorderingCells no_borders(no_pairs);
 
-/** \brief Concentric rings of vertices a unit apart in the plane, triangulated, and the hole within the innermost. */
+/** \brief Three concentric rings of vertices in the plane, triangulated, and the hole within the innermost. */
 struct Annulus
 {
-  explicit Annulus(std::uint32_t corners) : corners_(corners)
+  /** \param width of each of the two bands */
+  explicit Annulus(std::uint32_t corners, double width = 1) : corners_(corners)
   {
     for (const double ring : {1.0, 2.0, 3.0})
       for (std::uint32_t i = 0; i < corners; ++i) {
         const double angle = 2 * pi * (i + 0.5 * ring) / corners;
-        const double radius = (1.0 / (2 * std::sin(pi / corners))) + ring - 1;  // sides of the hole of length 1
+        const double radius = (1.0 / (2 * std::sin(pi / corners))) + (ring - 1) * width;  // sides of length 1
         seeds.position.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
       }
     seeds.normal.assign(seeds.position.size(), Eigen::Vector3d::UnitZ());
@@ -122,6 +123,26 @@ TEST(HoleFilling, FillsAnyHoleAcrossWhichCellsBorder)
     annulus.fill(complex);
     pds::fill_holes(complex, annulus.seeds, pds::BorderingCells(pairs), {}, limits);
     EXPECT_EQ(examine_complex(complex).boundary_loops, loops);
+  }
+}
+
+TEST(HoleFilling, FillsGapsThatAreSmallBesideTheirComponent)
+{
+  struct Case
+  {
+    std::uint32_t corners;  // and perimeter
+    double width;
+    std::size_t loops;
+  };
+  // A hole of 18 sides has an area of 26 squared radii. The plate around it has 600 times that, or 300 times; a hole of
+  // 24 sides has 46, more than a circle of one and a half times 15 around.
+  for (const Case& c : {Case{18, 36, 1}, Case{18, 25, 2}, Case{24, 60, 2}}) {
+    const Annulus annulus(c.corners, c.width);
+    TriangleComplex complex(annulus.seeds.position);
+    annulus.fill(complex);
+    EXPECT_EQ(pds::fill_holes(complex, annulus.seeds, no_borders, {}, {}), 0U) << "longer than the limit";
+    EXPECT_EQ(pds::fill_gaps(complex, annulus.seeds, no_borders, {}), 2 - c.loops);
+    EXPECT_EQ(examine_complex(complex).boundary_loops, c.loops) << c.corners << " corners, width " << c.width;
   }
 }
 

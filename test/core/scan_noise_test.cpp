@@ -81,6 +81,25 @@ TEST_P(NoisySphere, IsClosedAndItsVerticesLieInTheMiddleOfTheNoise)
   EXPECT_NEAR(mesh.report.sampling_interval, interval, 0.1 * interval);  // the surface's, not that of the layers
 }
 
+/** \brief Points of one half of the sphere, or of a square with a hole cut in its middle, with noise of half an
+ * interval. Both have rims that are no gaps. */
+TEST(NoisyClouds, KeepTheRimsOfOpenSurfaces)
+{
+  const double interval = interval_of_sphere(2 * small_cloud);
+  Points bowl = noisy_sphere(2 * small_cloud, 0.5 * interval);
+  bowl.erase(std::remove_if(bowl.begin(), bowl.end(), [](const Eigen::Vector3d& p) { return p.z() < 0; }), bowl.end());
+  EXPECT_EQ(expect_sound(reconstruct(bowl), bowl).boundary_loops, 1U);
+
+  Points drilled;
+  Random random(3);
+  for (Eigen::Vector3d p : plane(2 * small_cloud)) {
+    if (p.norm() < 0.25) continue;  // a perimeter of 36 radii
+    p.z() += 0.5 * interval * random.normal();
+    drilled.push_back(p);
+  }
+  EXPECT_EQ(expect_sound(reconstruct(drilled), drilled).boundary_loops, 2U);
+}
+
 TEST(NoisyClouds, GiveTheSameForAnyNumberOfThreads)
 {
   const Points points = noisy_sphere(small_cloud, 0.5 * interval_of_sphere(small_cloud));

@@ -86,6 +86,17 @@ TEST_P(RawScan, GivesASoundMesh)
   for (const double coefficient : {0.0, 0.25}) EXPECT_GT(run(scan, coefficient).facts.faces, 1000U);
 }
 
+/** \brief Many scans of one object: their gaps stay open where large, and tears do not. */
+TEST(RawScans, OfOneObjectBecomeOneSurfaceWithFewHoles)
+{
+  for (const auto& [file, loops] : {std::pair("dragon_stand_rawscans.ply", 12U), std::pair("bunny_rawscans.ply", 5U)}) {
+    SKIP_IF_ABSENT(file);
+    const Result result = run(Scan(file), 0);
+    EXPECT_LE(result.facts.boundary_loops, loops) << file;
+    EXPECT_GE(result.largest_share(), 0.99) << file;
+  }
+}
+
 TEST(Dragon, IsNearlyWhole)
 {
   SKIP_IF_ABSENT("dragon_vrip.ply");

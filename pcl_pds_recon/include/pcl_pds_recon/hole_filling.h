@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <pcl_pds_recon/seed_faces.h>
@@ -16,6 +17,7 @@ struct FillLimits
   double perimeter = 15.0;           ///< longest perimeter of a hole
   double chord = longest_dual_edge;  ///< longest new edge
   double smallest_angle = 0.7;       ///< least angle that two faces may enclose at an edge, radians
+  double area = std::numeric_limits<double>::infinity();  ///< most that a filling may have, squared radii
 };
 
 /** \brief Says whether the Voronoi cells of two seeds share a border. */
@@ -57,5 +59,14 @@ std::size_t fill_holes(TriangleComplex& complex,
                        const BorderingCells& bordering,
                        const std::vector<Polygon>& faces,
                        const FillLimits& limits);
+
+/** \brief Fills what noisy scans leave open beyond the perimeter limit: tears, and gaps in the data that are small
+ * beside their component. O(loops) with a cubic cost in the corners of each, 48 at most.
+ * \param complex after fill_holes() with the same limits
+ * \return the number of loops filled */
+std::size_t fill_gaps(TriangleComplex& complex,
+                      const SeedGeometry& seeds,
+                      const BorderingCells& bordering,
+                      const FillLimits& limits);
 
 }  // namespace pds

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <pcl_pds_recon/hole_filling.h>
+
+namespace pds
+{
+
+/** \brief Of all triangulations of a polygon in space whose chords are new, within the limits and, if asked for,
+ * between bordering cells, and that fold nowhere, the one with the least sum of squared circumradii. O(n^3) for n
+ * corners. \param bordering null if any chord will do \return empty if there is none
+ */
+[[nodiscard]] std::vector<Triangle> triangulate(const TriangleComplex& complex,
+                                                const BorderingCells* bordering,
+                                                const Polygon& polygon,
+                                                const FillLimits& limits);
+
+}  // namespace pds
