@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include "face_plane.h"
 
 namespace pds
 {
@@ -11,8 +12,6 @@ namespace
 {
 
 using Eigen::Vector3d;
-
-constexpr double flat_area = 1e-12;  // twice the area of a face, in squared radii, below which it has no normal
 
 // Beyond a side by more than this share of the face's height a point is not on the face: it is off the mesh's rim.
 constexpr double outermost = 0.3;
@@ -49,7 +48,7 @@ struct Share
 /** \brief A face as seen from one of its corners. */
 struct Sector
 {
-  Vector3d normal, second, third;  ///< product with the way from the corner: height, barycentric coordinates
+  FacePlane plane;
   std::uint32_t face;
   std::size_t corner;
 };
@@ -70,17 +69,11 @@ class CellShares
   bool enter(std::uint32_t seed)
   {
     sectors_.clear();
-    origin_ = position_[seed];
     for (const std::uint32_t* face = fans_.begin(seed); face != fans_.end(seed); ++face) {
       const Triangle& t = triangles_[*face];
       const std::size_t corner = MeshFans::corner_of(t, seed);
-      const Vector3d second = position_[t[(corner + 1) % 3]] - origin_;
-      const Vector3d third = position_[t[(corner + 2) % 3]] - origin_;
-      Vector3d normal = second.cross(third);
-      const double area = normal.norm();
-      if (area < flat_area) continue;
-      normal /= area;
-      sectors_.push_back({normal, third.cross(normal) / area, normal.cross(second) / area, *face, corner});
+      const FacePlane plane(position_[seed], position_[t[(corner + 1) % 3]], position_[t[(corner + 2) % 3]]);
+      if (plane.valid()) sectors_.push_back({plane, *face, corner});
     }
     return !sectors_.empty();
   }
@@ -88,32 +81,22 @@ class CellShares
   /** \brief Adds a point to the face that it is nearest to. */
   void add(const Vector3d& point)
   {
-    const Vector3d way = point - origin_;
-    const Sector* nearest = nullptr;
+    const Sector* nearest = &sectors_.front();
     double least = std::numeric_limits<double>::infinity();
-    double l[3] = {};
-    double height = 0;
     for (const Sector& sector : sectors_) {
-      const double second = way.dot(sector.second);
-      const double third = way.dot(sector.third);
-      const double above = way.dot(sector.normal);
-      // Beyond a side the distance is only guessed: heights of faces are about a radius.
-      const double beyond = std::max(0.0, -std::min(std::min(second, third), 1 - second - third));
-      const double distance2 = above * above + beyond * beyond;
+      const double distance2 = sector.plane.distance2(point, least);
       if (distance2 >= least) continue;
       least = distance2;
       nearest = &sector;
-      height = above;
-      l[0] = 1 - second - third;
-      l[1] = second;
-      l[2] = third;
     }
+    const FacePlane::View view = nearest->plane.view(point);
+    double l[] = {view.first, view.second, view.third};
     if (std::min(l[0], std::min(l[1], l[2])) < -outermost) return;
     for (double& coordinate : l) coordinate = std::max(coordinate, 0.0);
     const double sum = l[0] + l[1] + l[2];
     double by_corner[3];
     for (std::size_t i = 0; i < 3; ++i) by_corner[(nearest->corner + i) % 3] = l[i] / sum;
-    shares_[nearest->face][nearest->corner].add(by_corner, height);
+    shares_[nearest->face][nearest->corner].add(by_corner, view.height);
   }
 
  private:
@@ -121,7 +104,6 @@ class CellShares
   const std::vector<Triangle>& triangles_;
   const MeshFans& fans_;
   std::vector<std::array<Share, 3>>& shares_;  ///< by face and corner: of the cell of the seed there
-  Vector3d origin_ = Vector3d::Zero();
   std::vector<Sector> sectors_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/certificate.h>
+#include <pcl_pds_recon/edge_flips.h>
 #include <pcl_pds_recon/geodesic_voronoi.h>
 #include <pcl_pds_recon/hole_filling.h>
 #include <pcl_pds_recon/orientation.h>
@@ -134,11 +135,6 @@ class Run
 
     clock_.start("orientation", 0.95, report_.seconds.orientation);
     dual.triangles = orient_faces(complex, cues_for(cloud_, found_.points, sampling));
-    if (options_.placement == Placement::quadric) {
-      clock_.start("placement", 0.96, report_.seconds.placement);
-      dual.placed =
-          place_vertices(dual.seeds, dual.triangles, found_.points.position, sampling, dual.voronoi, parallel_);
-    }
     return dual;
   }
 
@@ -154,6 +150,17 @@ class Run
       sampling = sample(sampling.radius, moved);
       dual = build_dual(sampling, {});
     }
+  }
+
+  /** \brief Brings edges, and vertices if they may move, to where the mesh fits the points best. */
+  void fit(const PoissonDiskSampling& sampling, Dual& dual)
+  {
+    clock_.start("placement", 0.96, report_.seconds.placement);
+    if (options_.relax == 0)  // which is asked for even triangles
+      flip_edges(dual.seeds.position, found_.points.position, sampling, dual.voronoi, parallel_, dual.triangles);
+    if (options_.placement == Placement::quadric)
+      dual.placed =
+          place_vertices(dual.seeds, dual.triangles, found_.points.position, sampling, dual.voronoi, parallel_);
   }
 
   /** \brief Distance that 99 % of the points keep to the mesh. */
@@ -263,6 +270,7 @@ std::vector<Reconstruction> reconstruct_levels(const PointCloudView& cloud,
     while (!search.sampled(samplings[0].seeds.size()));
     dual = run.build_dual(samplings[0], {});
     run.relax(samplings[0], dual);
+    run.fit(samplings[0], dual);
     found = search.meshed([&] { return vertices_of(samplings[0], dual).size(); },
                           [&] { return run.measure_error(samplings[0], dual); });
   }
@@ -271,6 +279,7 @@ std::vector<Reconstruction> reconstruct_levels(const PointCloudView& cloud,
   results.push_back(run.describe(samplings[0], std::move(dual)));
   for (std::size_t level = 1; level < levels; ++level) {
     Dual coarser = run.build_dual(samplings[level], vertices);
+    run.fit(samplings[level], coarser);
     vertices = vertices_of(samplings[level], coarser);
     results.push_back(run.describe(samplings[level], std::move(coarser)));
   }
