@@ -5,6 +5,7 @@
 #include "option_table.h"
 #include "outputs.h"
 #include "progress.h"
+#include "stage_times.h"
 
 #include <pcl_pds_recon/reconstruction.h>
 
@@ -12,11 +13,9 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <initializer_list>
 #include <iostream>
 #include <new>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pds
@@ -101,23 +100,11 @@ void print_options(const CommandLine& command_line, ProgressReporter& progress)
 
 void print_summary(const Report& report, ProgressReporter& progress)
 {
-  const StageSeconds& seconds = report.seconds;
-  const std::initializer_list<std::pair<const char*, double>> stages = {{"load", seconds.load},
-                                                                        {"neighbors", seconds.neighbors},
-                                                                        {"weights", seconds.weights},
-                                                                        {"sampling", seconds.sampling},
-                                                                        {"voronoi", seconds.voronoi},
-                                                                        {"seed_graph", seconds.seed_graph},
-                                                                        {"faces", seconds.faces},
-                                                                        {"holes", seconds.holes},
-                                                                        {"orientation", seconds.orientation},
-                                                                        {"placement", seconds.placement},
-                                                                        {"save", seconds.save}};
-  for (const auto& [stage, duration] : stages) {
+  for (const auto& [stage, duration] : stage_times(report.seconds)) {
     progress.detail(fmt::format("{}: {:.3f} s", stage, duration));
   }
   progress.info(fmt::format("{} vertices, {} faces, {} components, {} boundary loops; {:.2f} s", report.vertices,
-                            report.faces, report.components, report.boundary_loops, seconds.total));
+                            report.faces, report.components, report.boundary_loops, report.seconds.total));
 }
 
 void run(const CommandLine& command_line)

@@ -35,6 +35,7 @@ void show_layers(View& view, const ViewerOptions& options)
     }
   }
   view.shade(options.shading);
+  view.show_scan_colors(options.scan_colors);
   view.aim(options.camera);
   if (options.pose) {
     view.set_pose(*options.pose);

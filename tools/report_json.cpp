@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_json.h"
 
+#include "stage_times.h"
+
 #include <nlohmann/json.hpp>
 
 namespace pds
@@ -13,10 +15,12 @@ using Json = nlohmann::ordered_json;
 
 Json seconds_json(const StageSeconds& seconds)
 {
-  return {{"load", seconds.load},           {"neighbors", seconds.neighbors}, {"weights", seconds.weights},
-          {"sampling", seconds.sampling},   {"voronoi", seconds.voronoi},     {"seed_graph", seconds.seed_graph},
-          {"faces", seconds.faces},         {"holes", seconds.holes},         {"orientation", seconds.orientation},
-          {"placement", seconds.placement}, {"save", seconds.save},           {"total", seconds.total}};
+  Json json;
+  for (const auto& [stage, duration] : stage_times(seconds)) {
+    json[stage] = duration;
+  }
+  json["total"] = seconds.total;
+  return json;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ import sys
 import time
 
 SKIPPED = 77  # exit status that tells ctest so
+PATIENCE = 200  # seconds for what takes one: the machine may be busy, and draws without a graphics card
 
 try:
     from PIL import Image
@@ -30,6 +31,7 @@ def chromium(width, height):
     except WebDriverException as error:
         print(f"skipped: Chromium does not start: {error.msg}; tools/install_dependencies.sh installs it")
         sys.exit(SKIPPED)
+    driver.set_script_timeout(PATIENCE)
     try:
         yield driver
     finally:
@@ -46,7 +48,7 @@ def wait_for_mesh(driver):
     wait_until(lambda: driver.execute_script("return document.getElementById('mesh').loaded"), "the mesh is loaded")
 
 
-def wait_until(is_true, what, seconds=60):
+def wait_until(is_true, what, seconds=PATIENCE):
     deadline = time.monotonic() + seconds
     while not is_true():
         if time.monotonic() > deadline:

@@ -25,6 +25,8 @@ class RunPage : public RunTool
 
 TEST_F(RunPage, shows_what_the_report_says)
 {
+  const std::string stray_points = "500000 5000000 40\n500000 5000030 0\n";
+  write("in.xyz", read("in.xyz") + stray_points);
   ASSERT_EQ(run_without_display("-k 17 --html p.html --report r.json in.xyz out.ply"), 0) << errors();
   EXPECT_EQ(files(), (Names{"in.xyz", "out.ply", "p.html", "r.json"}));
   const auto report = nlohmann::json::parse(read("r.json"));
@@ -33,8 +35,15 @@ TEST_F(RunPage, shows_what_the_report_says)
   };
   EXPECT_TRUE(holds(row("--k-neighbors", "17")));
   EXPECT_TRUE(holds(row("--html", "p.html")));
-  EXPECT_TRUE(holds(row("Points given", "4,000")));
+  EXPECT_TRUE(holds(row("Points given", "4,002")));
+  EXPECT_EQ(report["outliers"], 2);
+  EXPECT_TRUE(holds(row("outliers left out", "2")));
+  EXPECT_TRUE(holds(row("Noise smoothed", report["smoothed"].get<bool>() ? "yes" : "no")));
   EXPECT_TRUE(holds(row("Vertices", std::to_string(report["vertices"].get<int>()))));
+  for (const auto& [stage, seconds] : report["seconds"].items()) {
+    const std::string name = stage == "seed_graph" ? "seed graph" : stage;
+    EXPECT_TRUE(holds("<th scope=\"row\">" + name + "</th>")) << stage;
+  }
   EXPECT_TRUE(holds("<li class=\"good\">0 edges of more than two triangles</li>"));
   EXPECT_TRUE(holds("The surface is closed; 1 component; Euler characteristic 2; genus 0."));
   EXPECT_TRUE(holds("<h3>Edge length</h3><svg"));

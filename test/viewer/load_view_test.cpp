@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include <vtkPointData.h>
+
 namespace pds
 {
 namespace
@@ -80,6 +82,36 @@ TEST(LoadView, APickNamesTheFileAndItsOwnIndex)
   EXPECT_EQ(pick.place, data.mesh.vertices[first + 5]);
   EXPECT_EQ(pick.text.rfind("vertex 5 of large.ply", 0), 0U) << pick.text;
   EXPECT_NE(pick.text.find("quality 5"), std::string::npos) << pick.text;
+}
+
+TEST(LoadView, MeshesKeepTheirColorsAndThoseWithoutAnyAreGrey)
+{
+  ViewSource source = two_spheres();
+  EXPECT_TRUE(make_view_data(source, Options()).vertex_color.empty());
+  PointTable& points = source.meshes[1].points;
+  points = points.with_fields(
+      {{"red", ScalarType::uint16}, {"green", ScalarType::uint16}, {"blue", ScalarType::uint16}}, Parallel(1));
+  points.set_value(3, *points.find("red"), 65535);
+  points.set_value(3, *points.find("blue"), 257);
+  const ViewData data = make_view_data(source, Options());
+  ASSERT_EQ(data.vertex_color.size(), data.mesh.vertices.size());
+  const ByteColor grey = data.vertex_color.front();
+  EXPECT_NEAR(grey[0], grey[2], 20);
+  EXPECT_EQ(data.vertex_color[make_sphere(1, 3).vertices.size() + 3], (ByteColor{255, 0, 1}));
+}
+
+TEST(SceneGeometry, ACoarseMeshKeepsItsColors)
+{
+  const TriangleMesh fine = make_sphere(1, 6);
+  const auto data = mesh_data(fine, {}, {0, 0, 0});
+  set_colors(data, std::vector<ByteColor>(fine.vertices.size(), ByteColor{10, 200, 30}));
+  const auto coarse = coarse_mesh(data, 12.57, 1000);
+  vtkDataArray* colors = coarse->GetPointData()->GetScalars();
+  ASSERT_NE(colors, nullptr);
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i) {
+    EXPECT_EQ(colors->GetComponent(i, 0), 10);
+    EXPECT_EQ(colors->GetComponent(i, 1), 200);
+  }
 }
 
 TEST(SceneGeometry, SpreadTakesAboutSoManyAndAlwaysTheSame)

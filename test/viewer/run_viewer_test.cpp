@@ -37,6 +37,17 @@ TEST_F(RunViewer, draws_a_single_triangle_and_its_deviation)
   EXPECT_NE(read("a.png"), read("b.png"));
 }
 
+TEST_F(RunViewer, draws_a_mesh_in_its_colors_or_plain)
+{
+  write("red.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n");
+  write("plain.obj", one_triangle);
+  ASSERT_EQ(view("--screenshot red.png --size 64x64 red.obj"), 0) << errors();
+  ASSERT_EQ(view("--screenshot plain.png --size 64x64 --colors plain red.obj"), 0) << errors();
+  ASSERT_EQ(view("--screenshot none.png --size 64x64 plain.obj"), 0) << errors();
+  EXPECT_NE(read("red.png"), read("plain.png"));
+  EXPECT_EQ(read("none.png"), read("plain.png"));
+}
+
 TEST_F(RunViewer, draws_merged_clouds_and_meshes_beside_each_other)
 {
   const std::string small = " --size 200x150 --screenshot ";
@@ -105,7 +116,7 @@ TEST_F(RunViewer, explains_its_usage)
   EXPECT_NE(output().find("Usage: pcl_pds_viewer"), std::string::npos);
   EXPECT_EQ(view("--version"), 0);
   for (const char* wrong :
-       {"", "--show nothing one.obj", "--shading round one.obj", "--config missing.ini one.obj",
+       {"", "--show nothing one.obj", "--shading round one.obj", "--colors red one.obj", "--config missing.ini one.obj",
         "--radius-factor x one.obj", "--size 5 one.obj", "--size 0x0 one.obj", "--camera 1,2 one.obj",
         "--camera 0,95,1 one.obj", "--screenshot a.jpg one.obj", "-k 1 one.obj", "--nonsense one.obj"}) {
     EXPECT_EQ(view(wrong), 2) << wrong;

@@ -157,6 +157,57 @@ TEST_F(ViewerWindowTest, ARunIsGivenUpForTheNextAndWhenTheWindowCloses)
   window_.reset();  // must neither hang nor crash
 }
 
+/** \brief A scan of green points. */
+class ViewerWindowOfColors : public ViewerWindowTest
+{
+ protected:
+  ViewerWindowOfColors() : ViewerWindowTest(make_green_source()) {}
+
+  static ViewSource make_green_source()
+  {
+    ViewSource source = make_source(make_sphere(1, 5));
+    source.cloud = source.cloud->with_fields(
+        {{"red", ScalarType::uint8}, {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}}, Parallel(1));
+    for (std::size_t i = 0; i < source.cloud->size(); ++i)
+      source.cloud->set_value(i, *source.cloud->find("green"), 200);
+    return source;
+  }
+
+  static bool is_green(int red, int green, int blue) { return red < 20 && green > 60 && blue < 20; }
+};
+
+TEST_F(ViewerWindowOfColors, CloudAndMeshAreInTheColorsOfTheScanOrInOurs)
+{
+  const Pixels mesh = pixels();
+  EXPECT_GT(count_if_pixel(mesh, is_green), 10000U);
+  press('o');
+  EXPECT_EQ(count_if_pixel(pixels(), is_green), 0U);
+  EXPECT_EQ(count_if_pixel(pixels(), is_drawn), count_if_pixel(mesh, is_drawn));
+  press('o');
+  EXPECT_EQ(pixels(), mesh);
+  press('v');
+  EXPECT_EQ(count_if_pixel(pixels(), is_green), 0U) << "the deviation has colours of its own";
+  press('v');
+  press('c');
+  EXPECT_GT(count_if_pixel(pixels(), is_green), 300U);
+  press('o');
+  EXPECT_EQ(count_if_pixel(pixels(), is_green), 0U);
+  EXPECT_GT(count_if_pixel(pixels(), is_drawn), 300U);
+}
+
+TEST_F(ViewerWindowOfColors, ANewMeshHasThemToo)
+{
+  press('+');
+  wait();
+  EXPECT_GT(count_if_pixel(pixels(), is_green), 10000U);
+}
+
+TEST_F(ViewerWindowTest, SaysThatAScanHasNoColors)
+{
+  press('o');
+  EXPECT_EQ(window_->status(), "the scan has no colours");
+}
+
 /** \brief A rim and too many points to move them fluently. */
 class ViewerWindowOfPlane : public ViewerWindowTest
 {

@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import option_checks
+import report_checks
 from markdown import pages, quote_file
 from program_options import read_options, read_settings
 
@@ -84,6 +85,10 @@ def faults(build, root, write):
         yield from option_checks.check_table(page[page_name], options[program], shared)
         yield from option_checks.check_ranges(executable, options[program])
     yield from option_checks.check_headings(page["docs/parameters.md"], of_tool)
+    if "pcl_pds_compare" in options:
+        report, comparison = report_checks.write_reports(build, root / "data/duck_scan.ply")
+        yield from report_checks.check_keys(page["docs/parameters.md"], report)
+        yield from report_checks.check_keys(page["docs/compare.md"], comparison)
     yield from option_checks.check_settings(settings, of_tool)
     yield from option_checks.check_setter_table(page["docs/pcl_class.md"], root, settings)
     yield from check_build_options(page["README.md"], root)

@@ -3,6 +3,7 @@
 
 #include "html/html_text.h"
 #include "option_table.h"
+#include "stage_times.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -122,21 +123,28 @@ std::string key_figures_html(const Report& report)
 
 std::string counts_html(const Report& report)
 {
-  return table_html({{"Points given", group_digits(report.input_points)},
-                     {"with finite coordinates", group_digits(report.valid_points)},
-                     {"coincident with another", group_digits(report.merged_points)},
-                     {"not needed at this radius", group_digits(report.thinned_points)},
-                     {"Sampling interval", number(report.sampling_interval)},
-                     {"Poisson-disk radius", number(report.radius)},
-                     {"Poisson-disk samples", group_digits(report.seeds)},
-                     {"Vertices", group_digits(report.vertices)},
-                     {"Edges", group_digits(report.edges)},
-                     {"Triangles", group_digits(report.faces)},
-                     {"Holes filled", group_digits(report.filled_holes)},
-                     {"Nearest samples, in radii", number(report.min_seed_distance)},
-                     {"Farthest point from its sample, in radii", number(report.coverage_radius)},
-                     {"Threads", std::to_string(report.threads)},
-                     {"Peak memory", fmt::format("{:.0f} MB", static_cast<double>(report.peak_rss_bytes) / 1e6)}});
+  Rows rows = {{"Points given", group_digits(report.input_points)},
+               {"with finite coordinates", group_digits(report.valid_points)},
+               {"coincident with another", group_digits(report.merged_points)},
+               {"outliers left out", group_digits(report.outliers)},
+               {"not needed at this radius", group_digits(report.thinned_points)},
+               {"Noise smoothed", report.smoothed ? "yes" : "no"},
+               {"Neighbours of a point", std::to_string(report.k)},
+               {"Sampling interval", number(report.sampling_interval)},
+               {"Poisson-disk radius", number(report.radius)},
+               {"Poisson-disk samples", group_digits(report.seeds)},
+               {"Vertices", group_digits(report.vertices)},
+               {"Edges", group_digits(report.edges)},
+               {"Triangles", group_digits(report.faces)},
+               {"Holes filled", group_digits(report.filled_holes)},
+               {"Nearest samples, in radii", number(report.min_seed_distance)},
+               {"Farthest point from its sample, in radii", number(report.coverage_radius)}};
+  if (report.p99_distance > 0) {
+    rows.emplace_back("99 % of the points are as near to the mesh as", number(report.p99_distance));
+  }
+  rows.emplace_back("Threads", std::to_string(report.threads));
+  rows.emplace_back("Peak memory", fmt::format("{:.0f} MB", static_cast<double>(report.peak_rss_bytes) / 1e6));
+  return table_html(rows);
 }
 
 std::string certificate_html(const Report& report)
@@ -164,22 +172,15 @@ std::string certificate_html(const Report& report)
 
 std::string timings_html(const StageSeconds& seconds)
 {
-  const std::vector<std::pair<const char*, double>> stages = {{"load", seconds.load},
-                                                              {"neighbours", seconds.neighbors},
-                                                              {"weights", seconds.weights},
-                                                              {"sampling", seconds.sampling},
-                                                              {"Voronoi", seconds.voronoi},
-                                                              {"seed graph", seconds.seed_graph},
-                                                              {"faces", seconds.faces},
-                                                              {"holes", seconds.holes},
-                                                              {"orientation", seconds.orientation},
-                                                              {"save, and this page", seconds.save}};
+  const auto stages = stage_times(seconds);
   double longest = 0;
   for (const auto& [name, duration] : stages) {
     longest = std::max(longest, duration);
   }
   std::string html = "<table class=\"bars\">";
-  for (const auto& [name, duration] : stages) {
+  for (const auto& [stage, duration] : stages) {
+    std::string name = stage;
+    std::replace(name.begin(), name.end(), '_', ' ');
     html += fmt::format(R"(<tr><th scope="row">{}</th><td>{:.3f} s</td><td><i style="width:{:.1f}%"></i></td></tr>)",
                         name, duration, longest > 0 ? 100 * duration / longest : 0);
   }

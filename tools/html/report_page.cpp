@@ -122,6 +122,7 @@ ReportPage make_report_page(const CommandLine& command_line,
   ViewData view;
   view.mesh.vertices = positions(vertices);
   view.mesh.faces = result.triangles;
+  view.vertex_color = byte_colors(vertices);
   view.boundary_loops = result.boundary_loops;
   const Eigen::AlignedBox3d box = bounding_box(view.mesh);
   page.camera = find_camera(box);

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -96,13 +98,16 @@ PointTable read(const std::string& path)
   if (driver == "readers.las") {
     options.add("use_eb_vlr", true);  // extra bytes before version 1.4 as well
   }
-  pipeline.makeReader(path, driver, options);
+  const std::size_t announced = pipeline.makeReader(path, driver, options).preview().m_pointCount;
   pipeline.prepare();
   pipeline.execute();
   const pdal::PointLayout& layout = *pipeline.pointTable().layout();
   std::size_t size = 0;
   for (const pdal::PointViewPtr& view : pipeline.views()) {
     size += view->size();
+  }
+  if (size < announced) {  // of which PDAL says nothing
+    throw std::runtime_error("it holds " + std::to_string(size) + " of " + std::to_string(announced) + " points");
   }
   PointTable table = make_table(layout, size);
   std::size_t first = 0;

@@ -12,11 +12,9 @@
 #include <vtkGlyph3D.h>
 #include <vtkLineSource.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
-#include <vtkUnsignedCharArray.h>
 
 namespace pds
 {
@@ -32,16 +30,16 @@ struct Color
 };
 
 /** \brief A lively colour of its own for every Voronoi cell: hues a golden angle apart. */
-Color cell_color(std::uint32_t label)
+ByteColor cell_color(std::uint32_t label)
 {
   if (label == no_label) {
-    return {0.6, 0.6, 0.6};
+    return {153, 153, 153};
   }
   const double turns = label * 0.61803398874989484820;
   const double hue = 6 * (turns - std::floor(turns));
   const auto channel = [hue](double at) {
     const double away = std::abs(std::fmod(hue - at + 9, 6) - 3);
-    return 0.35 + 0.6 * std::clamp(2 - away, 0.0, 1.0);
+    return static_cast<std::uint8_t>(255 * (0.35 + 0.6 * std::clamp(2 - away, 0.0, 1.0)));
   };
   return {channel(0), channel(2), channel(4)};
 }
@@ -57,20 +55,6 @@ vtkSmartPointer<vtkActor> make_actor(vtkPolyData* data, const Color& color, floa
   actor->GetProperty()->SetPointSize(point_size);
   actor->GetProperty()->LightingOff();
   return actor;
-}
-
-void color_cells(vtkActor* actor, const Indices& chosen, const std::vector<std::uint32_t>& label)
-{
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(static_cast<vtkIdType>(chosen.size()));
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const Color color = cell_color(label[chosen[i]]);
-    colors->SetTuple3(static_cast<vtkIdType>(i), 255 * color.red, 255 * color.green, 255 * color.blue);
-  }
-  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
-  mapper->GetInput()->GetPointData()->SetScalars(colors);
-  mapper->ScalarVisibilityOn();
 }
 
 /** \brief Middle of the box around the cloud, or the mesh if there is none: it stays when the mesh is made anew. */
@@ -134,6 +118,9 @@ vtkPolyData* ActorFactory::mesh(std::size_t limit)
   if (!found) {
     found = faces == data_.mesh.faces.size() ? mesh_data(data_.mesh, data_.face_deviation, center_)
                                              : coarse_mesh(mesh(data_.mesh.faces.size()), area_, faces);
+    if (faces == data_.mesh.faces.size() && !data_.vertex_color.empty()) {
+      set_colors(found, data_.vertex_color);
+    }
   }
   return found;
 }
@@ -152,6 +139,16 @@ Indices ActorFactory::choose_points(Layer layer, std::size_t limit) const
   return chosen;
 }
 
+/** Of the points of a layer that is not of one colour. */
+std::vector<ByteColor> ActorFactory::point_colors(Layer layer, const Indices& chosen) const
+{
+  std::vector<ByteColor> colors;
+  for (const std::uint32_t i : chosen) {
+    colors.push_back(layer == Layer::cells ? cell_color(data_.label[i]) : data_.point_color[i]);
+  }
+  return colors;
+}
+
 vtkSmartPointer<vtkActor> ActorFactory::make_points(Layer layer, std::size_t limit) const
 {
   const Indices chosen = choose_points(layer, limit);
@@ -159,6 +156,9 @@ vtkSmartPointer<vtkActor> ActorFactory::make_points(Layer layer, std::size_t lim
     return nullptr;
   }
   const vtkSmartPointer<vtkPolyData> data = point_data(data_.cloud, chosen, center_);
+  if (layer == Layer::cells || (layer == Layer::cloud && !data_.point_color.empty())) {
+    set_colors(data, point_colors(layer, chosen));
+  }
   const float larger = limit < size(layer) ? 1 : 0;  // some make up for many
   switch (layer) {
     case Layer::seeds:
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkActor> ActorFactory::make_points(Layer layer, std::size_t lim
       return make_actor(data, {0.1, 0.3, 0.8}, 2 + larger);
     case Layer::cells: {
       vtkSmartPointer<vtkActor> actor = make_actor(data, {1, 1, 1}, 2 + larger);
-      color_cells(actor, chosen, data_.label);
+      actor->GetMapper()->ScalarVisibilityOn();
       return actor;
     }
     default:
@@ -219,6 +219,7 @@ vtkSmartPointer<vtkActor> ActorFactory::make_surface(Layer layer, std::size_t li
     mapper->UseLookupTableScalarRangeOn();
     return actor;
   }
+  mapper->SetScalarModeToUsePointData();
   vtkNew<vtkProperty> back;
   back->SetColor(0.75, 0.25, 0.20);
   actor->SetBackfaceProperty(back);

@@ -35,6 +35,7 @@ class ActorFactory
  private:
   [[nodiscard]] vtkPolyData* mesh(std::size_t limit);
   [[nodiscard]] Indices choose_points(Layer layer, std::size_t limit) const;
+  [[nodiscard]] std::vector<ByteColor> point_colors(Layer layer, const Indices& chosen) const;
   [[nodiscard]] vtkSmartPointer<vtkActor> make_points(Layer layer, std::size_t limit) const;
   [[nodiscard]] vtkSmartPointer<vtkActor> make_glyphs(Layer layer, std::size_t limit);
   [[nodiscard]] vtkSmartPointer<vtkActor> make_surface(Layer layer, std::size_t limit);

@@ -14,6 +14,7 @@ std::string key_help()
   }
   return text +
          "  f        faces smooth, flat or as a wireframe\n"
+         "  o        colours of the scan, where it has any, or our own\n"
          "  + -      larger or smaller Poisson-disk radius\n"
          "  a        next adaptive coefficient: 0, 0.1, 0.2, 0.3\n"
          "  p        the vertex or point under the pointer: index, cell, fields\n"

@@ -38,6 +38,11 @@ void reconstruct_into(ViewData& data, const Options& options, const Progress& pr
   for (std::size_t v = data.mesh.vertices.size(); v < result.report.vertices; ++v) {  // all or none were moved
     data.mesh.vertices.push_back(data.cloud.positions[data.seeds[v]]);
   }
+  if (!data.point_color.empty()) {
+    for (std::size_t v = 0; v < data.mesh.vertices.size(); ++v) {
+      data.vertex_color.push_back(data.point_color[data.seeds[v]]);
+    }
+  }
   data.mesh.faces = std::move(result.triangles);
   data.boundary_loops = std::move(result.boundary_loops);
 }
@@ -55,6 +60,21 @@ TriangleMesh join(const std::vector<MeshFile>& files)
     }
   }
   return all;
+}
+
+/** \brief Of the vertices of all meshes; those of a mesh without any are grey, and there are none if all are. */
+std::vector<ByteColor> join_colors(const std::vector<MeshFile>& files)
+{
+  constexpr ByteColor grey = {204, 201, 194};
+  std::vector<ByteColor> all;
+  bool has_any = false;
+  for (const MeshFile& file : files) {
+    const std::vector<ByteColor> colors = byte_colors(file.points);
+    has_any = has_any || !colors.empty();
+    all.insert(all.end(), colors.begin(), colors.end());
+    all.resize(all.size() + file.points.size() - colors.size(), grey);
+  }
+  return has_any ? all : std::vector<ByteColor>();
 }
 
 /** \brief Moves all meshes but the first along x, until each lies beside the one before. */
@@ -131,6 +151,7 @@ ViewData make_cloud_data(const ViewSource& source)
   ViewData data;
   if (source.cloud) {
     data.cloud = source.cloud->view();
+    data.point_color = byte_colors(*source.cloud);
   }
   return data;
 }
@@ -142,6 +163,7 @@ ViewData make_view_data(const ViewSource& source, const Options& options, const 
     reconstruct_into(data, options, progress);
   } else {
     data.mesh = join(source.meshes);
+    data.vertex_color = join_colors(source.meshes);
     data.boundary_loops = find_loops(data.mesh);
   }
   if (source.reference && !data.mesh.faces.empty()) {

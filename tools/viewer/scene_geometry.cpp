@@ -13,6 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkQuadricClustering.h>
+#include <vtkUnsignedCharArray.h>
 
 namespace pds
 {
@@ -103,6 +104,18 @@ vtkSmartPointer<vtkPolyData> mesh_data(const TriangleMesh& mesh,
     bare->GetCellData()->SetScalars(scalars);
   }
   return with_normals(bare);
+}
+
+void set_colors(vtkPolyData* data, const std::vector<ByteColor>& colors)
+{
+  vtkNew<vtkUnsignedCharArray> scalars;
+  scalars->SetName("colors");
+  scalars->SetNumberOfComponents(3);
+  scalars->SetNumberOfTuples(static_cast<vtkIdType>(colors.size()));
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    scalars->SetTypedTuple(static_cast<vtkIdType>(i), colors[i].data());
+  }
+  data->GetPointData()->SetScalars(scalars);
 }
 
 vtkSmartPointer<vtkPolyData> coarse_mesh(vtkPolyData* mesh, double area, std::size_t faces)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/byte_colors.h"
+
 #include <pcl_pds_recon/point_cloud_view.h>
 #include <pcl_pds_recon/triangle_mesh.h>
 
@@ -30,6 +32,9 @@ using Indices = std::vector<std::uint32_t>;
 [[nodiscard]] vtkSmartPointer<vtkPolyData> mesh_data(const TriangleMesh& mesh,
                                                      const std::vector<double>& face_deviation,
                                                      const Eigen::Vector3d& center);
+
+/** \brief Gives each point a colour. */
+void set_colors(vtkPolyData* data, const std::vector<ByteColor>& colors);
 
 /** \brief About the same surface in about \a faces triangles, without care for its topology. */
 [[nodiscard]] vtkSmartPointer<vtkPolyData> coarse_mesh(vtkPolyData* mesh, double area, std::size_t faces);

@@ -154,6 +154,9 @@ void View::put(Layer layer)
     actor->GetProperty()->SetInterpolation(shading_ == Shading::flat ? VTK_FLAT : VTK_GOURAUD);
     actor->GetProperty()->SetRepresentation(shading_ == Shading::wireframe ? VTK_WIREFRAME : VTK_SURFACE);
   }
+  if (layer == Layer::cloud || layer == Layer::mesh) {
+    actor->GetMapper()->SetScalarVisibility(scan_colors_);
+  }
   if (layer == Layer::deviation) {
     bar_->SetLookupTable(deviation_colors(deviation_reach(data_.face_deviation)));
   }
@@ -214,6 +217,12 @@ bool View::show(Layer layer, bool on)
 void View::shade(Shading shading)
 {
   shading_ = shading;
+  put_all();
+}
+
+void View::show_scan_colors(bool on)
+{
+  scan_colors_ = on;
   put_all();
 }
 

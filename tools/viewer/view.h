@@ -44,6 +44,11 @@ class View
   void shade(Shading shading);
   [[nodiscard]] Shading shading() const { return shading_; }
 
+  /** \brief Shows cloud and mesh in the colours of the scan, as at first, or each in one of our own. */
+  void show_scan_colors(bool on);
+  [[nodiscard]] bool shows_scan_colors() const { return scan_colors_; }
+  [[nodiscard]] bool has_scan_colors() const { return !data_.point_color.empty() || !data_.vertex_color.empty(); }
+
   /** \brief Fewer points, lines and triangles, so that the view can move fluently; or all of them again. */
   void coarsen(bool coarse);
   [[nodiscard]] bool is_coarse() const { return coarse_; }
@@ -73,6 +78,7 @@ class View
   std::map<Layer, vtkSmartPointer<vtkActor>> shown_;
   std::map<std::pair<Layer, std::size_t>, vtkSmartPointer<vtkActor>> made_;  ///< by layer and its limit
   Shading shading_ = Shading::smooth;
+  bool scan_colors_ = true;
   bool coarse_ = false;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkScalarBarActor> bar_;

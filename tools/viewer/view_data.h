@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/byte_colors.h"
+
 #include <pcl_pds_recon/point_cloud_view.h>
 #include <pcl_pds_recon/triangle_mesh.h>
 
@@ -16,12 +18,14 @@ namespace pds
 struct ViewData
 {
   PointCloudView cloud;                  ///< of somebody's points, who must outlive the view
+  std::vector<ByteColor> point_color;    ///< of each point of the cloud
   std::vector<std::uint32_t> label;      ///< Voronoi cell of each point of the cloud, or no_label
   std::vector<std::uint32_t> witnesses;  ///< points of the cloud near Voronoi edges
   std::vector<std::uint32_t> seeds;      ///< points of the cloud; the first ones are the mesh's vertices
   std::vector<std::array<std::uint32_t, 2>> seed_edges;  ///< seed graph, numbers into seeds
   double radius = 0;                                     ///< of the Poisson disks
   TriangleMesh mesh;
+  std::vector<ByteColor> vertex_color;                     ///< of each vertex of the mesh
   std::vector<std::vector<std::uint32_t>> boundary_loops;  ///< vertices of the mesh
   std::vector<double> deviation;                           ///< signed, of each vertex of the mesh
   std::vector<double> face_deviation;                      ///< signed, of each face's centroid: what the colours show

@@ -29,6 +29,7 @@ struct Texts
 {
   std::string layers;
   std::string shading;
+  std::string colors;
   std::string size;
   std::string camera;
 };
@@ -58,6 +59,8 @@ po::options_description visible_options(ViewerOptions& options, Texts& texts)
   add("reference", po::value(&options.reference)->value_name("FILE"), "a mesh or cloud to show the deviation from");
   add("points", po::bool_switch(&options.points_only), "take the vertices of meshes as clouds");
   add("shading", po::value(&texts.shading)->value_name("NAME"), "smooth (default), flat or wireframe");
+  add("colors", po::value(&texts.colors)->value_name("NAME"),
+      "of cloud and mesh: scan (default), those of the scan if it has any, or plain, one each");
   add("screenshot", po::value(&options.screenshot)->value_name("FILE.png"), "write a picture instead of a window");
   add("frames", po::value(&options.frames)->value_name("N"), "turn the camera N times and print the frames per second");
   add("size", po::value(&texts.size)->value_name("WxH"), "of the window or picture in pixels (default 1200x900)");
@@ -127,6 +130,14 @@ Shading parse_shading(const std::string& text)
   return Shading::smooth;
 }
 
+bool parse_colors(const std::string& text)
+{
+  if (text != "scan" && text != "plain") {
+    throw ViewerUsageError("--colors: '" + text + "' is not scan or plain");
+  }
+  return text == "scan";
+}
+
 void parse_size(const std::string& text, ViewerOptions& options)
 {
   constexpr int least = 16;
@@ -167,6 +178,9 @@ void understand(const Texts& texts, ViewerOptions& options)
   }
   if (!texts.shading.empty()) {
     options.shading = parse_shading(texts.shading);
+  }
+  if (!texts.colors.empty()) {
+    options.scan_colors = parse_colors(texts.colors);
   }
   if (!texts.size.empty()) {
     parse_size(texts.size, options);

@@ -21,8 +21,9 @@ struct ViewerOptions
   CommandLine tool;          ///< of the command tool's options those about the cloud and its reconstruction
   std::optional<std::vector<Layer>> layers;
   Shading shading = Shading::smooth;
-  int width = 1200;  ///< of the window or picture, pixels
-  int height = 900;  ///< likewise
+  bool scan_colors = true;  ///< of cloud and mesh, where there are any
+  int width = 1200;         ///< of the window or picture, pixels
+  int height = 900;         ///< likewise
   CameraPlace camera;
   std::optional<CameraPose> pose;  ///< wins over camera
   std::string screenshot;          ///< PNG; empty: a window

@@ -238,6 +238,13 @@ void ViewerWindow::press(char key, int x, int y)
                   : view_.shading() == Shading::flat ? Shading::wireframe
                                                      : Shading::smooth);
       break;
+    case 'o':
+      if (!view_.has_scan_colors()) {
+        say("the scan has no colours");
+        return;
+      }
+      view_.show_scan_colors(!view_.shows_scan_colors());
+      break;
     case '+':
     case '-':
     case 'a':

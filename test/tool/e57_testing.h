@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reader_testing.h"
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// Writes E57 files byte by byte, as ASTM E2807 lays them out: PDAL's own writer knows single precision only.
+
+namespace pds
+{
+
+constexpr std::size_t e57_header_bytes = 48;
+constexpr std::size_t e57_page_bytes = 1024;
+constexpr std::size_t e57_page_content = e57_page_bytes - 4;  // the rest is a checksum
+
+inline std::uint64_t e57_physical(std::uint64_t logical)
+{
+  return logical / e57_page_content * e57_page_bytes + logical % e57_page_content;
+}
+
+/** \brief The points as binary data: packets with all x, all y and all z of some points. */
+inline std::string e57_points(const std::vector<std::array<double, 3>>& points)
+{
+  constexpr std::size_t points_of_packet = 1000;
+  std::string packets;
+  for (std::size_t first = 0; first < points.size(); first += points_of_packet) {
+    const std::size_t count = std::min(points_of_packet, points.size() - first);
+    std::string buffers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = first; i < first + count; ++i) {
+        buffers += bytes_of(points[i][axis]);
+      }
+    }
+    const auto buffer_bytes = static_cast<std::uint16_t>(count * sizeof(double));
+    std::string lengths =
+        bytes_of(std::uint16_t{3}) + bytes_of(buffer_bytes) + bytes_of(buffer_bytes) + bytes_of(buffer_bytes);
+    const std::size_t head_bytes = 4 + lengths.size();
+    const auto length = static_cast<std::uint16_t>(head_bytes + buffers.size() - 1);
+    packets += bytes_of(std::uint8_t{1}) + bytes_of(std::uint8_t{0}) + bytes_of(length) + lengths + buffers;
+  }
+  constexpr std::size_t head_bytes = 32;
+  const std::uint64_t data_at = e57_physical(e57_header_bytes + head_bytes);
+  return bytes_of(std::uint64_t{1}) + bytes_of(std::uint64_t{head_bytes + packets.size()}) + bytes_of(data_at) +
+         bytes_of(std::uint64_t{0}) + packets;
+}
+
+/** \brief A scan of these points with coordinates in double precision. \param announced their number as the file says
+ */
+inline std::string e57(const std::vector<std::array<double, 3>>& points, std::size_t announced)
+{
+  const std::string data = e57_points(points);
+  const std::string coordinates =
+      "<cartesianX type=\"Float\"/><cartesianY type=\"Float\"/><cartesianZ type=\"Float\"/>";
+  const std::string xml =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>"
+      "<e57Root type=\"Structure\" xmlns=\"http://www.astm.org/COMMIT/E57/2010-e57-v1.0\">"
+      "<formatName type=\"String\">ASTM E57 3D Imaging Data File</formatName><guid type=\"String\">{1}</guid>"
+      "<versionMajor type=\"Integer\">1</versionMajor><versionMinor type=\"Integer\">0</versionMinor>"
+      "<data3D type=\"Vector\" allowHeterogeneousChildren=\"1\"><vectorChild type=\"Structure\">"
+      "<guid type=\"String\">{2}</guid><points type=\"CompressedVector\" fileOffset=\"" +
+      std::to_string(e57_physical(e57_header_bytes)) + "\" recordCount=\"" + std::to_string(announced) +
+      "\"><prototype type=\"Structure\">" + coordinates +
+      "</prototype><codecs type=\"Vector\" "
+      "allowHeterogeneousChildren=\"1\"/></points></vectorChild></data3D></e57Root>";
+  const std::uint64_t xml_at = e57_header_bytes + data.size();
+  const std::uint64_t logical_bytes = xml_at + xml.size();
+  const std::uint64_t pages = (logical_bytes + e57_page_content - 1) / e57_page_content;
+  std::string logical = "ASTM-E57" + bytes_of(std::uint32_t{1}) + bytes_of(std::uint32_t{0}) +
+                        bytes_of(std::uint64_t{pages * e57_page_bytes}) + bytes_of(e57_physical(xml_at)) +
+                        bytes_of(std::uint64_t{xml.size()}) + bytes_of(std::uint64_t{e57_page_bytes}) + data + xml;
+  logical.resize(pages * e57_page_content, '\0');
+  std::string file;
+  for (std::size_t begin = 0; begin < logical.size(); begin += e57_page_content) {
+    boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> checksum;  // CRC-32C
+    checksum.process_bytes(logical.data() + begin, e57_page_content);
+    std::string bytes = bytes_of(static_cast<std::uint32_t>(checksum.checksum()));
+    std::reverse(bytes.begin(), bytes.end());
+    file += logical.substr(begin, e57_page_content) + bytes;
+  }
+  return file;
+}
+
+}  // namespace pds
