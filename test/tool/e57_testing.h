@@ -25,25 +25,33 @@ inline std::uint64_t e57_physical(std::uint64_t logical)
   return logical / e57_page_content * e57_page_bytes + logical % e57_page_content;
 }
 
-/** \brief The points as binary data: packets with all x, all y and all z of some points. */
-inline std::string e57_points(const std::vector<std::array<double, 3>>& points)
+/** \brief A field of the points. */
+struct E57Column
+{
+  std::string name;
+  std::vector<double> values;
+};
+
+/** \brief The points as binary data: packets with all columns of some points. */
+inline std::string e57_points(const std::vector<E57Column>& columns)
 {
   constexpr std::size_t points_of_packet = 1000;
+  const std::size_t size = columns.front().values.size();
   std::string packets;
-  for (std::size_t first = 0; first < points.size(); first += points_of_packet) {
-    const std::size_t count = std::min(points_of_packet, points.size() - first);
+  for (std::size_t first = 0; first < size; first += points_of_packet) {
+    const std::size_t count = std::min(points_of_packet, size - first);
+    std::string lengths = bytes_of(static_cast<std::uint16_t>(columns.size()));
     std::string buffers;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const E57Column& column : columns) {
+      lengths += bytes_of(static_cast<std::uint16_t>(count * sizeof(double)));
       for (std::size_t i = first; i < first + count; ++i) {
-        buffers += bytes_of(points[i][axis]);
+        buffers += bytes_of(column.values[i]);
       }
     }
-    const auto buffer_bytes = static_cast<std::uint16_t>(count * sizeof(double));
-    std::string lengths =
-        bytes_of(std::uint16_t{3}) + bytes_of(buffer_bytes) + bytes_of(buffer_bytes) + bytes_of(buffer_bytes);
-    const std::size_t head_bytes = 4 + lengths.size();
-    const auto length = static_cast<std::uint16_t>(head_bytes + buffers.size() - 1);
-    packets += bytes_of(std::uint8_t{1}) + bytes_of(std::uint8_t{0}) + bytes_of(length) + lengths + buffers;
+    std::string content = lengths + buffers;
+    content.resize((content.size() + 3) / 4 * 4, '\0');
+    const auto length = static_cast<std::uint16_t>(4 + content.size() - 1);
+    packets += bytes_of(std::uint8_t{1}) + bytes_of(std::uint8_t{0}) + bytes_of(length) + content;
   }
   constexpr std::size_t head_bytes = 32;
   const std::uint64_t data_at = e57_physical(e57_header_bytes + head_bytes);
@@ -51,13 +59,14 @@ inline std::string e57_points(const std::vector<std::array<double, 3>>& points)
          bytes_of(std::uint64_t{0}) + packets;
 }
 
-/** \brief A scan of these points with coordinates in double precision. \param announced their number as the file says
- */
-inline std::string e57(const std::vector<std::array<double, 3>>& points, std::size_t announced)
+/** \brief A scan with these fields, all in double precision. \param announced number of points, as the file says */
+inline std::string e57(const std::vector<E57Column>& columns, std::size_t announced)
 {
-  const std::string data = e57_points(points);
-  const std::string coordinates =
-      "<cartesianX type=\"Float\"/><cartesianY type=\"Float\"/><cartesianZ type=\"Float\"/>";
+  const std::string data = e57_points(columns);
+  std::string prototype;
+  for (const E57Column& column : columns) {
+    prototype.append("<").append(column.name).append(" type=\"Float\"/>");
+  }
   const std::string xml =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>"
       "<e57Root type=\"Structure\" xmlns=\"http://www.astm.org/COMMIT/E57/2010-e57-v1.0\">"
@@ -66,7 +75,7 @@ inline std::string e57(const std::vector<std::array<double, 3>>& points, std::si
       "<data3D type=\"Vector\" allowHeterogeneousChildren=\"1\"><vectorChild type=\"Structure\">"
       "<guid type=\"String\">{2}</guid><points type=\"CompressedVector\" fileOffset=\"" +
       std::to_string(e57_physical(e57_header_bytes)) + "\" recordCount=\"" + std::to_string(announced) +
-      "\"><prototype type=\"Structure\">" + coordinates +
+      "\"><prototype type=\"Structure\">" + prototype +
       "</prototype><codecs type=\"Vector\" "
       "allowHeterogeneousChildren=\"1\"/></points></vectorChild></data3D></e57Root>";
   const std::uint64_t xml_at = e57_header_bytes + data.size();

@@ -105,7 +105,9 @@ TEST_F(PdalReader, reads_e57)
     for (const char* name : {"x", "y", "z"}) {  // PDAL's writer knows single precision only
       ASSERT_EQ(e57.value(row, *e57.find(name)), static_cast<float>(las.value(row, *las.find(name)))) << name;
     }
-    ASSERT_EQ(e57.value(row, *e57.find("intensity")), las.value(row, *las.find("intensity")));
+    for (const char* name : {"intensity", "red", "green", "blue"}) {
+      ASSERT_EQ(e57.value(row, *e57.find(name)), las.value(row, *las.find(name))) << name;
+    }
   }
 }
 

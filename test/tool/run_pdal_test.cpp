@@ -32,6 +32,17 @@ constexpr std::array<Sample, 3> samples = {
      {"cloud.copc.laz", "writers.copc", las_1_4_count_at, std::uint64_t{1} << 40},
      {"cloud.e57", "writers.e57", e57_length_at, std::uint64_t{1} << 30}}};
 
+std::vector<E57Column> e57_columns()
+{
+  std::vector<E57Column> columns = {{"cartesianX", {}}, {"cartesianY", {}}, {"cartesianZ", {}}};
+  for (const Position& position : positions()) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      columns[axis].values.push_back(position[axis]);
+    }
+  }
+  return columns;
+}
+
 class RunPdal : public RunTool
 {
  protected:
@@ -48,7 +59,7 @@ class RunPdal : public RunTool
 TEST_F(RunPdal, carries_utm_coordinates_to_the_last_bit)
 {
   make(samples[0]);
-  write("cloud.e57", e57(positions(), utm_points));
+  write("cloud.e57", e57(e57_columns(), utm_points));
   for (const char* name : {"cloud.laz", "cloud.e57"}) {
     ASSERT_EQ(run(std::string("-q ") + name + " out.ply"), 0) << errors();
     EXPECT_TRUE(has_only_points_of_the_cloud(read_points(path("out.ply"), Parallel(1)))) << name;
@@ -62,10 +73,27 @@ TEST_F(RunPdal, carries_utm_coordinates_to_the_last_bit)
 
 TEST_F(RunPdal, complains_of_an_e57_that_announces_more_points_than_it_holds)
 {
-  write("cloud.e57", e57(positions(), utm_points + 500));
+  write("cloud.e57", e57(e57_columns(), utm_points + 500));
   EXPECT_EQ(run("-q cloud.e57 out.ply"), 1);
   EXPECT_TRUE(complained_of("cloud.e57: "));
   EXPECT_EQ(files(), Names{"cloud.e57"});
+}
+
+TEST_F(RunPdal, leaves_out_points_of_an_e57_without_coordinates_and_says_so)
+{
+  std::vector<E57Column> columns = e57_columns();
+  columns.push_back({"cartesianInvalidState", std::vector<double>(utm_points, 0)});
+  for (std::size_t i = 0; i < 700; ++i) {  // rays that met nothing have a direction at best
+    columns[0].values[i] = 0;
+    columns[3].values[i] = i % 2 == 0 ? 1 : 2;
+  }
+  write("cloud.e57", e57(columns, utm_points));
+  ASSERT_EQ(run("--report r.json cloud.e57 out.ply"), 0) << errors();
+  EXPECT_NE(errors().find("cloud.e57: 700 points without coordinates are left out"), std::string::npos) << errors();
+  EXPECT_NE(read("r.json").find("\"input_points\": 2300"), std::string::npos) << read("r.json");
+  const PointTable mesh = read_points(path("out.ply"), Parallel(1));
+  EXPECT_EQ(describe_fields(mesh), "x:double y:double z:double");
+  EXPECT_TRUE(has_only_points_of_the_cloud(mesh));
 }
 
 TEST_F(RunPdal, complains_of_files_that_are_empty_cut_short_or_whose_header_lies)

@@ -61,22 +61,46 @@ std::string field_name(const std::string& name)
   return snake_case(name);
 }
 
+/** All but the mark of points without coordinates. */
+std::vector<pdal::Dimension::Id> dimensions(const pdal::PointLayout& layout)
+{
+  std::vector<pdal::Dimension::Id> all = layout.dims();
+  all.erase(std::remove(all.begin(), all.end(), pdal::Dimension::Id::Omit), all.end());
+  return all;
+}
+
 PointTable make_table(const pdal::PointLayout& layout, std::size_t size)
 {
   std::vector<Field> fields;
-  for (const pdal::Dimension::Id dimension : layout.dims()) {
+  for (const pdal::Dimension::Id dimension : dimensions(layout)) {
     fields.push_back({field_name(layout.dimName(dimension)), scalar_type(layout.dimType(dimension))});
   }
   return PointTable(std::move(fields), size);
 }
 
-void copy_points(const pdal::PointView& view, const pdal::PointLayout& layout, PointTable& table, std::size_t first)
+using PointIds = std::vector<pdal::PointId>;
+
+/** A scanner's E57 has a place for every ray, and marks those that met nothing. */
+PointIds find_points_with_coordinates(const pdal::PointView& view)
 {
-  for (const pdal::Dimension::Id dimension : layout.dims()) {
+  PointIds found;
+  const bool has_marks = view.hasDim(pdal::Dimension::Id::Omit);
+  for (pdal::PointId i = 0; i < view.size(); ++i) {
+    if (!has_marks || view.getFieldAs<int>(pdal::Dimension::Id::Omit, i) == 0) {
+      found.push_back(i);
+    }
+  }
+  return found;
+}
+
+void copy_points(const pdal::PointView& view, const PointIds& ids, PointTable& table, std::size_t first)
+{
+  const pdal::PointLayout& layout = *view.layout();
+  for (const pdal::Dimension::Id dimension : dimensions(layout)) {
     const Field& field = *table.find(field_name(layout.dimName(dimension)));
     visit_scalar(field.type, [&](auto zero) {
-      for (pdal::PointId i = 0; i < view.size(); ++i) {
-        const auto scalar = view.getFieldAs<decltype(zero)>(dimension, i);
+      for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto scalar = view.getFieldAs<decltype(zero)>(dimension, ids[i]);
         std::memcpy(table.record(first + i) + field.offset, &scalar, sizeof scalar);
       }
     });
@@ -101,19 +125,25 @@ PointTable read(const std::string& path)
   const std::size_t announced = pipeline.makeReader(path, driver, options).preview().m_pointCount;
   pipeline.prepare();
   pipeline.execute();
-  const pdal::PointLayout& layout = *pipeline.pointTable().layout();
   std::size_t size = 0;
+  std::size_t found = 0;
+  std::vector<std::pair<pdal::PointViewPtr, PointIds>> parts;
   for (const pdal::PointViewPtr& view : pipeline.views()) {
+    parts.emplace_back(view, find_points_with_coordinates(*view));
     size += view->size();
+    found += parts.back().second.size();
   }
   if (size < announced) {  // of which PDAL says nothing
     throw std::runtime_error("it holds " + std::to_string(size) + " of " + std::to_string(announced) + " points");
   }
-  PointTable table = make_table(layout, size);
+  PointTable table = make_table(*pipeline.pointTable().layout(), found);
   std::size_t first = 0;
-  for (const pdal::PointViewPtr& view : pipeline.views()) {
-    copy_points(*view, layout, table, first);
-    first += view->size();
+  for (const auto& [view, ids] : parts) {
+    copy_points(*view, ids, table, first);
+    first += ids.size();
+  }
+  if (found < size) {
+    table.not_read = std::to_string(size - found) + " points without coordinates";
   }
   return table;
 }

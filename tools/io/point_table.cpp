@@ -172,6 +172,7 @@ PointTable PointTable::with_fields(const std::vector<Field>& added, const Parall
 
   PointTable table(all, size_);
   table.sensor_origin = sensor_origin;
+  table.not_read = not_read;
   constexpr std::size_t block = std::size_t{1} << 13;  // rows; both tables' stay in the cache from field to field
   parallel.blocks(size_, block, [&](std::size_t begin, std::size_t end, unsigned) {
     for (const Field& source : kept) {
