@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "program.h"
+
 #include <pcl_pds_recon/options.h>
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -46,12 +47,6 @@ struct CommandLine
 
 /** \brief Where a level of detail is written: OUTPUT, then OUTPUT with _1, _2, ... before its extension. */
 [[nodiscard]] std::string level_path(const std::string& output, unsigned level);
-
-/** \brief Thrown for bad usage; what() is one line that names the option and what it takes. */
-struct UsageError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
 
 /** \brief Understands the command line and the configuration file that it names; the command line wins.
  * \throws UsageError

@@ -6,9 +6,9 @@
 #include "io/atomic_file.h"
 #include "io/file_extension.h"
 #include "io/write_mesh.h"
+#include "program.h"
 
 #include <iostream>
-#include <new>
 
 #ifdef PCL_PDS_RECON_WITH_RENDERING
 #include "viewer/deviation_picture.h"
@@ -86,8 +86,6 @@ bool check_expectations(const CompareOptions& options, const nlohmann::ordered_j
   return failures.empty();
 }
 
-constexpr int exit_bad_data = 1;
-constexpr int exit_bad_usage = 2;
 constexpr int exit_not_as_expected = 3;
 
 int run(const CompareOptions& options)
@@ -109,36 +107,18 @@ int run(const CompareOptions& options)
   return check_expectations(options, json) ? 0 : exit_not_as_expected;
 }
 
-int fail(int status, const std::string& message)
-{
-  std::cerr << "pcl_pds_compare: " << message << std::endl;
-  return status;
-}
-
-int guarded_main(int argc, const char* const* argv)
-{
-  try {
-    const CompareOptions options = parse_compare_options(argc, argv);
-    if (!options.information.empty()) {
-      std::cout << options.information;
-      return 0;
-    }
-    return run(options);
-  } catch (const CompareUsageError& error) {
-    return fail(exit_bad_usage, error.what());
-  } catch (const InvalidExpectation& error) {
-    return fail(exit_bad_usage, std::string("--expect: ") + error.what());
-  } catch (const InvalidOption& error) {
-    return fail(exit_bad_usage, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(exit_bad_data, "not enough memory for these files; use a larger machine");
-  } catch (const std::exception& error) {
-    return fail(exit_bad_data, error.what());
-  }
-}
-
 }  // namespace
 
 }  // namespace pds
 
-int main(int argc, char** argv) { return pds::guarded_main(argc, argv); }
+int main(int argc, char** argv)
+{
+  return pds::run_program("pcl_pds_compare", [argc, argv] {
+    const pds::CompareOptions options = pds::parse_compare_options(argc, argv);
+    if (options.information.empty()) {
+      return pds::run(options);
+    }
+    std::cout << options.information;
+    return 0;
+  });
+}

@@ -4,6 +4,7 @@
 #include "input.h"
 #include "option_table.h"
 #include "outputs.h"
+#include "program.h"
 #include "progress.h"
 #include "stage_times.h"
 
@@ -14,7 +15,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -144,36 +144,19 @@ void run(const CommandLine& command_line)
   }
 }
 
-constexpr int exit_bad_data = 1;
-constexpr int exit_bad_usage = 2;
-
-int fail(int status, const std::string& message)
-{
-  std::cerr << "pcl_pds_recon: " << message << std::endl;
-  return status;
-}
-
-int guarded_main(int argc, const char* const* argv)
-{
-  try {
-    const CommandLine command_line = parse_command_line(argc, argv);
-    if (command_line.information.empty()) {
-      run(command_line);
-    } else {
-      std::cout << command_line.information;
-    }
-    return 0;
-  } catch (const UsageError& error) {
-    return fail(exit_bad_usage, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(exit_bad_data, "not enough memory for this cloud; thin it out or use a larger machine");
-  } catch (const std::exception& error) {
-    return fail(exit_bad_data, error.what());
-  }
-}
-
 }  // namespace
 
 }  // namespace pds
 
-int main(int argc, char** argv) { return pds::guarded_main(argc, argv); }
+int main(int argc, char** argv)
+{
+  return pds::run_program("pcl_pds_recon", [argc, argv] {
+    const pds::CommandLine command_line = pds::parse_command_line(argc, argv);
+    if (command_line.information.empty()) {
+      pds::run(command_line);
+    } else {
+      std::cout << command_line.information;
+    }
+    return 0;
+  });
+}

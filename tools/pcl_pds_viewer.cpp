@@ -2,6 +2,7 @@
 // Shows meshes, clouds and every step of their reconstruction, in a window or as a picture.
 #include "compare/vtk_complaints.h"
 #include "io/atomic_file.h"
+#include "program.h"
 #include "viewer/private_x_server.h"
 #include "viewer/viewer_window.h"
 
@@ -11,7 +12,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
-#include <new>
 
 #include <vtkCamera.h>
 
@@ -20,8 +20,6 @@ namespace pds
 
 namespace
 {
-
-constexpr const char* program = "pcl_pds_viewer: ";
 
 /** \brief A window waits for layers that a reconstruction is to bring; a picture cannot. */
 void show_layers(View& view, const ViewerOptions& options)
@@ -76,7 +74,7 @@ void run(const ViewerOptions& options)
   }
   const ViewSource source = load_source(options);
   for (const std::string& warning : source.warnings) {
-    std::cerr << program << warning << std::endl;
+    std::cerr << "pcl_pds_viewer: " << warning << std::endl;
   }
   const bool is_cloud_enough = options.layers && *options.layers == std::vector<Layer>{Layer::cloud};
   const bool waits = source.is_reconstructed() && (options.wants_window() || is_cloud_enough);
@@ -96,36 +94,19 @@ void run(const ViewerOptions& options)
   }
 }
 
-constexpr int exit_bad_data = 1;
-constexpr int exit_bad_usage = 2;
-
-int fail(int status, const std::string& message)
-{
-  std::cerr << program << message << std::endl;
-  return status;
-}
-
-int guarded_main(int argc, const char* const* argv)
-{
-  try {
-    const ViewerOptions options = parse_viewer_options(argc, argv);
-    if (options.information.empty()) {
-      run(options);
-    } else {
-      std::cout << options.information;
-    }
-    return 0;
-  } catch (const ViewerUsageError& error) {
-    return fail(exit_bad_usage, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(exit_bad_data, "not enough memory for these files; use a larger machine");
-  } catch (const std::exception& error) {
-    return fail(exit_bad_data, error.what());
-  }
-}
-
 }  // namespace
 
 }  // namespace pds
 
-int main(int argc, char** argv) { return pds::guarded_main(argc, argv); }
+int main(int argc, char** argv)
+{
+  return pds::run_program("pcl_pds_viewer", [argc, argv] {
+    const pds::ViewerOptions options = pds::parse_viewer_options(argc, argv);
+    if (options.information.empty()) {
+      pds::run(options);
+    } else {
+      std::cout << options.information;
+    }
+    return 0;
+  });
+}

@@ -5,6 +5,7 @@
 #include "io/file_extension.h"
 #include "io/text_scanner.h"
 #include "io/write_mesh.h"
+#include "program.h"
 
 #include <pcl_pds_recon/version.h>
 
@@ -72,8 +73,8 @@ void take_number(const po::variables_map& values, const std::string& name, Numbe
   }
   const auto& text = values[name].as<std::string>();
   if (!parse_number(text, number) || number < least) {
-    throw CompareUsageError("--" + name + ": '" + text + "' is not a whole number of at least " +
-                            std::to_string(least) + usage_hint);
+    throw UsageError("--" + name + ": '" + text + "' is not a whole number of at least " + std::to_string(least) +
+                     usage_hint);
   }
 }
 
@@ -102,25 +103,25 @@ void check_outputs(const CompareOptions& options)
   }
   const std::string extension = file_extension(options.output);
   if (!options.output.empty() && std::find(holding.begin(), holding.end(), extension) == holding.end()) {
-    throw CompareUsageError("--output: " + options.output + ": '" + extension + "' cannot hold the deviation; use " +
-                            boost::algorithm::join(holding, ", "));
+    throw UsageError("--output: " + options.output + ": '" + extension + "' cannot hold the deviation; use " +
+                     boost::algorithm::join(holding, ", "));
   }
   if (!options.picture.empty() && file_extension(options.picture) != ".png") {
-    throw CompareUsageError("--picture: " + options.picture + ": is drawn as PNG; let its name end in .png");
+    throw UsageError("--picture: " + options.picture + ": is drawn as PNG; let its name end in .png");
   }
 #ifndef PCL_PDS_RECON_WITH_RENDERING
   if (!options.picture.empty()) {
-    throw CompareUsageError("--picture: this build cannot draw, because VTK's rendering was not found");
+    throw UsageError("--picture: this build cannot draw, because VTK's rendering was not found");
   }
 #endif
   const bool has_output = !options.output.empty() || !options.picture.empty();
   if (has_output && options.reference.empty()) {
-    throw CompareUsageError(std::string("--output and --picture need a REFERENCE") + usage_hint);
+    throw UsageError(std::string("--output and --picture need a REFERENCE") + usage_hint);
   }
   for (const auto& output : {options.output, options.picture}) {
     for (const auto& other : {options.mesh, options.reference}) {
       if (!output.empty() && are_same_file(output, other)) {
-        throw CompareUsageError(output + ": is an input and would be overwritten; choose another name for the output");
+        throw UsageError(output + ": is an input and would be overwritten; choose another name for the output");
       }
     }
   }
@@ -153,8 +154,8 @@ CompareOptions interpret(const po::variables_map& values)
   const auto files =
       values.count("files") == 0 ? std::vector<std::string>() : values["files"].as<std::vector<std::string>>();
   if (files.empty() || files.size() > 2) {
-    throw CompareUsageError("needs one MESH and one REFERENCE, or one MESH alone, got " + std::to_string(files.size()) +
-                            " file names" + usage_hint);
+    throw UsageError("needs one MESH and one REFERENCE, or one MESH alone, got " + std::to_string(files.size()) +
+                     " file names" + usage_hint);
   }
   options.mesh = files[0];
   options.reference = files.size() == 2 ? files[1] : "";
@@ -176,9 +177,7 @@ CompareOptions parse_compare_options(int argc, const char* const* argv)
     po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
     return interpret(values);
   } catch (const po::error& error) {
-    throw CompareUsageError(error.what() + std::string(usage_hint));
-  } catch (const InvalidExpectation& error) {
-    throw CompareUsageError(std::string("--expect: ") + error.what());
+    throw UsageError(error.what() + std::string(usage_hint));
   }
 }
 

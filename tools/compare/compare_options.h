@@ -5,7 +5,6 @@
 
 #include <pcl_pds_recon/deviation.h>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,13 +26,7 @@ struct CompareOptions
   std::string information;  ///< text to print instead of comparing: help or version
 };
 
-/** \brief Thrown for a command line that cannot be carried out; what() is one line that says why. */
-struct CompareUsageError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/** \throws CompareUsageError */
+/** \throws UsageError */
 [[nodiscard]] CompareOptions parse_compare_options(int argc, const char* const* argv);
 
 }  // namespace pds

@@ -2,6 +2,7 @@
 #include "compare/expectation.h"
 
 #include "io/text_scanner.h"
+#include "program.h"
 
 #include <cmath>
 
@@ -35,8 +36,8 @@ const nlohmann::ordered_json& find(const nlohmann::ordered_json& report, const E
     const std::size_t end = std::min(expectation.key.find('.', begin), expectation.key.size());
     const std::string name = expectation.key.substr(begin, end - begin);
     if (!at->is_object() || !at->contains(name)) {
-      throw InvalidExpectation("'" + expectation.text + "': the report has no key '" + expectation.key +
-                               "'; --json shows all");
+      throw UsageError("--expect: '" + expectation.text + "': the report has no key '" + expectation.key +
+                       "'; --json shows all");
     }
     at = &(*at)[name];
     begin = end + 1;
@@ -67,14 +68,15 @@ Expectation parse_expectation(const std::string& text)
       return result;
     }
   }
-  throw InvalidExpectation("'" + text + "' is not KEY, one of <= >= == != < > and a number, such as 'hausdorff<=0.1'");
+  throw UsageError("--expect: '" + text +
+                   "' is not KEY, one of <= >= == != < > and a number, such as 'hausdorff<=0.1'");
 }
 
 std::string unmet(const Expectation& expectation, const nlohmann::ordered_json& report)
 {
   const nlohmann::ordered_json& found = find(report, expectation);
   if (found.is_structured() || found.is_string()) {
-    throw InvalidExpectation("'" + expectation.text + "': there is no number under '" + expectation.key + "'");
+    throw UsageError("--expect: '" + expectation.text + "': there is no number under '" + expectation.key + "'");
   }
   const double value = found.is_null()      ? std::nan("")
                        : found.is_boolean() ? (found.get<bool>() ? 1.0 : 0.0)

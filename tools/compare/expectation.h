@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <stdexcept>
 #include <string>
 
 namespace pds
@@ -18,18 +17,12 @@ struct Expectation
   double value = 0;      ///< of a condition on a boolean: 0 or 1
 };
 
-/** \brief Thrown when a condition cannot be understood; what() is one line that says why. */
-struct InvalidExpectation : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/** \throws InvalidExpectation if \a text is not KEY, a relation and a number, true or false */
+/** \throws UsageError if \a text is not KEY, a relation and a number, true or false */
 [[nodiscard]] Expectation parse_expectation(const std::string& text);
 
 /** \brief Says how a report fails a condition, such as "components<=1 (is 2)"; empty if it is met. A value that is not
  * there (null) meets none.
- * \throws InvalidExpectation if the report has no such key, or no number under it
+ * \throws UsageError if the report has no such key, or no number under it
  */
 [[nodiscard]] std::string unmet(const Expectation& expectation, const nlohmann::ordered_json& report);
 

@@ -109,7 +109,7 @@ std::vector<Layer> parse_layers(const std::string& text)
     const auto* known = std::find_if(layer_names.begin(), layer_names.end(),
                                      [&name](const LayerName& layer) { return name == layer.name; });
     if (known == layer_names.end()) {
-      throw ViewerUsageError("--show: there is no layer '" + name + "'; use " + layer_list());
+      throw UsageError("--show: there is no layer '" + name + "'; use " + layer_list());
     }
     layers.push_back(known->layer);
   }
@@ -125,7 +125,7 @@ Shading parse_shading(const std::string& text)
     return Shading::wireframe;
   }
   if (text != "smooth") {
-    throw ViewerUsageError("--shading: '" + text + "' is not smooth, flat or wireframe");
+    throw UsageError("--shading: '" + text + "' is not smooth, flat or wireframe");
   }
   return Shading::smooth;
 }
@@ -133,7 +133,7 @@ Shading parse_shading(const std::string& text)
 bool parse_colors(const std::string& text)
 {
   if (text != "scan" && text != "plain") {
-    throw ViewerUsageError("--colors: '" + text + "' is not scan or plain");
+    throw UsageError("--colors: '" + text + "' is not scan or plain");
   }
   return text == "scan";
 }
@@ -146,7 +146,7 @@ void parse_size(const std::string& text, ViewerOptions& options)
   char by = 0;
   if (!(stream >> options.width >> by >> options.height) || by != 'x' || stream.peek() != EOF ||
       std::min(options.width, options.height) < least || std::max(options.width, options.height) > most) {
-    throw ViewerUsageError("--size: '" + text + "' is not WxH with 16 ... 8192 pixels each");
+    throw UsageError("--size: '" + text + "' is not WxH with 16 ... 8192 pixels each");
   }
 }
 
@@ -164,9 +164,9 @@ void parse_camera(const std::string& text, ViewerOptions& options)
   std::string rest;
   stream >> rest;
   if (!understood || !(rest.empty() || rest == ",y" || rest == ",z")) {
-    throw ViewerUsageError("--camera: '" + text +
-                           "' is not AZ,EL,ZOOM or AZ,EL,ZOOM,z with -90 < EL < 90 and a positive ZOOM, nor the ten "
-                           "numbers that the key K prints");
+    throw UsageError("--camera: '" + text +
+                     "' is not AZ,EL,ZOOM or AZ,EL,ZOOM,z with -90 < EL < 90 and a positive ZOOM, nor the ten "
+                     "numbers that the key K prints");
   }
   camera.up = rest == ",z" ? 'z' : 'y';
 }
@@ -189,13 +189,13 @@ void understand(const Texts& texts, ViewerOptions& options)
     parse_camera(texts.camera, options);
   }
   if (!options.screenshot.empty() && file_extension(options.screenshot) != ".png") {
-    throw ViewerUsageError("--screenshot: " + options.screenshot + ": is written as PNG; let its name end in .png");
+    throw UsageError("--screenshot: " + options.screenshot + ": is written as PNG; let its name end in .png");
   }
   if (options.frames < 0) {
-    throw ViewerUsageError("--frames must not be negative");
+    throw UsageError("--frames must not be negative");
   }
   if (options.inputs.empty()) {
-    throw ViewerUsageError(std::string("needs a CLOUD_OR_MESH") + usage_hint);
+    throw UsageError(std::string("needs a CLOUD_OR_MESH") + usage_hint);
   }
 }
 
@@ -226,9 +226,7 @@ ViewerOptions parse_viewer_options(int argc, const char* const* argv)
     take_options(values, options.tool);
     understand(texts, options);
   } catch (const po::error& error) {
-    throw ViewerUsageError(error.what() + std::string(usage_hint));
-  } catch (const UsageError& error) {
-    throw ViewerUsageError(error.what());
+    throw UsageError(error.what() + std::string(usage_hint));
   }
   return options;
 }

@@ -5,7 +5,6 @@
 #include "viewer/view.h"
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -33,13 +32,7 @@ struct ViewerOptions
   [[nodiscard]] bool wants_window() const { return screenshot.empty() && frames == 0; }
 };
 
-/** \brief Thrown for a command line that cannot be carried out; what() is one line that says why. */
-struct ViewerUsageError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/** \throws ViewerUsageError */
+/** \throws UsageError */
 [[nodiscard]] ViewerOptions parse_viewer_options(int argc, const char* const* argv);
 
 }  // namespace pds
