@@ -75,15 +75,13 @@ class GlbWriter : public TemporaryDirectory
 
 TEST_F(GlbWriter, places_a_utm_mesh_by_a_translation)
 {
-  PointTable points({{"x", ScalarType::float64}, {"y", ScalarType::float64}, {"z", ScalarType::float64}}, 4);
+  PointTable points = table_with({{"x y z", ScalarType::float64}}, 4);
   const std::vector<std::vector<double>> rows = {{500000.001, 5234567.123, 0},
                                                  {500002.001, 5234567.123, 0},
                                                  {500000.001, 5234569.123, 0},
                                                  {500000.5, 5234568, 7.25}};
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      points.set_value(row, points.fields()[i], rows[row][i]);
-    }
+    set_row(points, row, rows[row]);
   }
   const Glb glb = write_and_parse(points, {{0, 1, 2}, {0, 2, 3}});
   const auto translation = glb.description["nodes"][0]["translation"].get<std::vector<double>>();
@@ -103,20 +101,9 @@ TEST_F(GlbWriter, places_a_utm_mesh_by_a_translation)
 
 TEST_F(GlbWriter, keeps_float_positions_to_the_last_bit_with_normals_and_linear_colors)
 {
-  PointTable points({{"x", ScalarType::float32},
-                     {"y", ScalarType::float32},
-                     {"z", ScalarType::float32},
-                     {"nx", ScalarType::float32},
-                     {"ny", ScalarType::float32},
-                     {"nz", ScalarType::float32},
-                     {"red", ScalarType::uint8},
-                     {"green", ScalarType::uint8},
-                     {"blue", ScalarType::uint8}},
-                    3);
+  PointTable points = table_with({{"x y z nx ny nz", ScalarType::float32}, {"red green blue", ScalarType::uint8}}, 3);
   const std::vector<double> row = {static_cast<double>(0.1F), 1000, -3, 0, 2, 0, 255, 128, 0};
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    points.set_value(1, points.fields()[i], row[i]);
-  }
+  set_row(points, 1, row);
   const Glb glb = write_and_parse(points, {{0, 1, 2}});
   EXPECT_FALSE(glb.description["nodes"][0].contains("translation"));
   EXPECT_EQ(glb.vector("POSITION", 1), (std::vector<double>{row[0], row[1], row[2]}));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pds
 {
@@ -45,6 +46,33 @@ TEST(PlyReader, reads_every_scalar_type_in_ascii)
   EXPECT_EQ(values[0], static_cast<double>(0.1F));
   EXPECT_EQ(Values(values.begin() + 3, values.end()),
             (Values{-128, 255, -32768, 65535, -2147483648.0, 4294967295.0, 0.1}));
+}
+
+TEST(PlyReader, reads_every_scalar_type_in_both_byte_orders)
+{
+  const std::string properties = xyz_float +
+                                 "property char a\nproperty uchar b\nproperty short c\nproperty ushort d\n"
+                                 "property int e\nproperty uint f\nproperty double g\n";
+  const std::vector<std::string> scalars = {bytes_of(0.1F),
+                                            bytes_of(2.F),
+                                            bytes_of(-3.F),
+                                            bytes_of(std::int8_t{-128}),
+                                            bytes_of(std::uint8_t{255}),
+                                            bytes_of(std::int16_t{-32768}),
+                                            bytes_of(std::uint16_t{65535}),
+                                            bytes_of(std::numeric_limits<std::int32_t>::min()),
+                                            bytes_of(std::uint32_t{4294967295}),
+                                            bytes_of(0.1)};
+  std::string little;
+  std::string big;
+  for (const std::string& scalar : scalars) {
+    little += scalar;
+    big += big_endian(scalar);
+  }
+  const Values expected = {
+      static_cast<double>(0.1F), 2, -3, -128, 255, -32768, 65535, -2147483648.0, 4294967295.0, 0.1};
+  EXPECT_EQ(row_values(read_ply(header("binary_little_endian", "1", properties) + little), 0), expected);
+  EXPECT_EQ(row_values(read_ply(header("binary_big_endian", "1", properties) + big), 0), expected);
 }
 
 TEST(PlyReader, keeps_utm_doubles_to_the_last_bit_in_both_byte_orders)

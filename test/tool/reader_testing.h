@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pds
@@ -22,6 +24,27 @@ inline std::string describe_fields(const PointTable& table)
     text += (text.empty() ? "" : " ") + field.name + ":" + ply_name(field.type);
   }
   return text;
+}
+
+/** \brief A table of zeros. \param groups names parted by blanks, and the type of all fields of a group */
+inline PointTable table_with(const std::vector<std::pair<std::string, ScalarType>>& groups, std::size_t size)
+{
+  std::vector<Field> fields;
+  for (const auto& [names, type] : groups) {
+    std::istringstream stream(names);
+    for (std::string name; stream >> name;) {
+      fields.push_back({name, type});
+    }
+  }
+  return PointTable(std::move(fields), size);
+}
+
+/** \brief Puts values into a row, in the order of the fields. */
+inline void set_row(PointTable& table, std::size_t row, const std::vector<double>& values)
+{
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    table.set_value(row, table.fields()[i], values[i]);
+  }
 }
 
 /** \brief All values of a row in the order of the fields. */

@@ -12,7 +12,7 @@ namespace
 
 TEST(VertexNormals, of_a_cube_point_along_its_diagonals_however_its_sides_are_cut)
 {
-  PointTable cube({{"x", ScalarType::float64}, {"y", ScalarType::float64}, {"z", ScalarType::float64}}, 8);
+  PointTable cube = table_with({{"x y z", ScalarType::float64}}, 8);
   for (std::size_t corner = 0; corner < cube.size(); ++corner) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double side = (corner >> axis & 1U) != 0 ? 1 : -1;
@@ -33,13 +33,7 @@ TEST(VertexNormals, of_a_cube_point_along_its_diagonals_however_its_sides_are_cu
 
 TEST(VertexNormals, replace_those_of_the_input)
 {
-  PointTable points({{"x", ScalarType::float32},
-                     {"y", ScalarType::float32},
-                     {"z", ScalarType::float32},
-                     {"nx", ScalarType::float64},
-                     {"ny", ScalarType::float64},
-                     {"nz", ScalarType::float64}},
-                    3);
+  PointTable points = table_with({{"x y z", ScalarType::float32}, {"nx ny nz", ScalarType::float64}}, 3);
   points.set_value(1, points.fields()[0], 1);
   points.set_value(2, points.fields()[1], 1);
   points.set_value(0, points.fields()[3], 1);

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's own readers as the judges of what .vtp and .vtk hold.
+#include "all_types.h"
 #include "io/write_mesh.h"
 #include "temporary_directory.h"
-
-#include <gtest/gtest.h>
-
-#include <cstring>
-#include <limits>
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -21,42 +17,6 @@ namespace pds
 {
 namespace
 {
-
-const std::vector<Field> all_types = {{"int8", ScalarType::int8},       {"uint8", ScalarType::uint8},
-                                      {"int16", ScalarType::int16},     {"uint16", ScalarType::uint16},
-                                      {"int32", ScalarType::int32},     {"uint32", ScalarType::uint32},
-                                      {"int64", ScalarType::int64},     {"uint64", ScalarType::uint64},
-                                      {"float32", ScalarType::float32}, {"float64", ScalarType::float64}};
-
-/** Three points of a scan in UTM; each field holds the least, the greatest and a value in between of its type. */
-PointTable make_points()
-{
-  std::vector<Field> fields = {{"x", ScalarType::float64},  {"y", ScalarType::float64},   {"z", ScalarType::float64},
-                               {"nx", ScalarType::float32}, {"ny", ScalarType::float32},  {"nz", ScalarType::float32},
-                               {"red", ScalarType::uint8},  {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}};
-  fields.insert(fields.end(), all_types.begin(), all_types.end());
-  PointTable table(fields, 3);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const double third = static_cast<double>(row) / 3;
-    double value = 0;
-    for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) {
-      table.set_value(row, *table.find(name), name[0] == 'n' ? third + value : 500000.001 + third + value);
-      value += 0.1;
-    }
-    for (const char* name : {"red", "green", "blue"}) {
-      table.set_value(row, *table.find(name), static_cast<double>(100 * row) + name[0] % 7);
-    }
-    for (const Field& field : all_types) {
-      visit_scalar(field.type, [&](auto zero) {
-        using Number = decltype(zero);
-        const Number numbers[] = {std::numeric_limits<Number>::lowest(), std::numeric_limits<Number>::max(),
-                                  static_cast<Number>(123.456)};
-        std::memcpy(table.record(row) + table.find(field.name)->offset, &numbers[row], sizeof zero);
-      });
-    }
-  }
-  return table;
-}
 
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> read_with(const std::string& file)
@@ -91,7 +51,7 @@ class VtkRoundTrip : public TemporaryDirectory
   void expect_round_trip(const std::string& name, bool ascii)
   {
     SCOPED_TRACE(name + (ascii ? " as text" : ""));
-    const PointTable points = make_points();
+    const PointTable points = points_with(all_types());
     const std::string extension = name.substr(name.find('.'));
     AtomicFile file(path(name));
     write_mesh(file, extension, points, {{0, 1, 2}}, ascii);
@@ -103,7 +63,7 @@ class VtkRoundTrip : public TemporaryDirectory
     expect_same(points, {"x", "y", "z"}, mesh->GetPoints()->GetData());
     expect_same(points, {"nx", "ny", "nz"}, mesh->GetPointData()->GetNormals());
     expect_same(points, {"red", "green", "blue"}, mesh->GetPointData()->GetArray("RGB"));
-    for (const Field& field : all_types) {
+    for (const Field& field : all_types()) {
       expect_same(points, {field.name.c_str()}, mesh->GetPointData()->GetArray(field.name.c_str()));
     }
   }
