@@ -103,6 +103,9 @@ void print_summary(const Report& report, ProgressReporter& progress)
   for (const auto& [stage, duration] : stage_times(report.seconds)) {
     progress.detail(fmt::format("{}: {:.3f} s", stage, duration));
   }
+  if (report.outliers > 0) {
+    progress.info(fmt::format("{} outliers left out", report.outliers));
+  }
   progress.info(fmt::format("{} vertices, {} faces, {} components, {} boundary loops; {:.2f} s", report.vertices,
                             report.faces, report.components, report.boundary_loops, report.seconds.total));
 }

@@ -179,7 +179,7 @@ std::string timings_html(const StageSeconds& seconds)
   }
   std::string html = "<table class=\"bars\">";
   for (const auto& [stage, duration] : stages) {
-    std::string name = stage;
+    std::string name = stage == std::string("save") ? "save, and this page" : stage;
     std::replace(name.begin(), name.end(), '_', ' ');
     html += fmt::format(R"(<tr><th scope="row">{}</th><td>{:.3f} s</td><td><i style="width:{:.1f}%"></i></td></tr>)",
                         name, duration, longest > 0 ? 100 * duration / longest : 0);
