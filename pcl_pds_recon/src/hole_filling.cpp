@@ -24,6 +24,7 @@ constexpr double widening = 1.5;          // how much longer a hole may get by m
 constexpr double gap_perimeter = 1.5;      // of a circle as large as the gap, in limits of the perimeter ...
 constexpr double gap_share = 1.0 / 500.0;  // ... and this share of its component's area: beyond it may be an opening
 constexpr double gap_chord = 6.0;          // radii; such a circle is 7 wide
+constexpr double gap_facing = 0.0;         // cosine: faces of the filling are not beyond the crease
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -240,7 +241,7 @@ bool fill_polygon(TriangleComplex& complex,
   if (filling.empty() || area_of(filling, complex.position()) > limits.area) return false;
   complex.begin_trial();
   for (const Triangle& t : filling)
-    if (complex.add(t, limits.smallest_angle) != TriangleComplex::Verdict::legal) {
+    if (complex.facing(t) < limits.facing || complex.add(t, limits.smallest_angle) != TriangleComplex::Verdict::legal) {
       complex.undo_trial();
       return false;
     }
@@ -278,6 +279,7 @@ std::size_t fill_gaps(TriangleComplex& complex,
   FillLimits of_gaps = limits;
   of_gaps.perimeter = infinity;
   of_gaps.chord = gap_chord;
+  of_gaps.facing = gap_facing;
   std::size_t filled = 0;
   for (const Polygon& loop : boundary_loops(complex)) {
     if (loop.size() > most_corners || loop_through(complex, loop.front()) != loop) continue;

@@ -74,7 +74,7 @@ class PolygonTriangulation
       const double below = cost_[i * n_ + m] + cost_[m * n_ + j];
       if (below == infinity || folds(i, m, j) || folds(m, j, i) || (is_side(i, j) && folds_outside(i, j, m))) continue;
       const double cost = below + squared_circumradius(at(i), at(m), at(j));
-      if (cost < cost_[i * n_ + j]) {
+      if (cost < cost_[i * n_ + j] && complex_.facing({polygon_[i], polygon_[m], polygon_[j]}) >= limits_.facing) {
         cost_[i * n_ + j] = cost;
         apex_[i * n_ + j] = m;
       }

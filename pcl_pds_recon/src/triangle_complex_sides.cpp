@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/triangle_complex.h>
 #include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
 
 namespace pds
 {
 
 using Eigen::Vector3d;
 
-/** Mean of the normals at the corners, by which a face that stands on a crease has a side as well. */
+double TriangleComplex::facing(const Triangle& t) const
+{
+  if (outward_.empty()) return 1;
+  const Vector3d across = (position_[t[1]] - position_[t[0]]).cross(position_[t[2]] - position_[t[0]]).normalized();
+  const double sign = across.dot(outward_[t[0]] + outward_[t[1]] + outward_[t[2]]) < 0 ? -1 : 1;
+  double least = 1;
+  for (const std::uint32_t v : t) least = std::min(least, sign * across.dot(outward_[v]));
+  return least;
+}
+
+/** By the mean of the normals at the corners, by which a face that stands on a crease has a side as well. */
 TriangleComplex::Side TriangleComplex::side_by_normals(const Triangle& t) const
 {
-  constexpr double clear = 0.5;    // cosine between face and mean normal; beyond 60 degrees the face may be anything
   constexpr double behind = -0.5;  // cosine between face and a corner's normal: over 120 degrees is the other side
-  const Vector3d across = (position_[t[1]] - position_[t[0]]).cross(position_[t[2]] - position_[t[0]]).normalized();
-  const Vector3d mean = outward_[t[0]] + outward_[t[1]] + outward_[t[2]];
-  const double cosine = across.dot(mean);
-  const double sign = cosine < 0 ? -1 : 1;
-  for (const std::uint32_t v : t)
-    if (sign * across.dot(outward_[v]) < behind) return Side::torn;
-  if (std::abs(cosine) <= clear * mean.norm()) return Side::unclear;
+  if (facing(t) < behind) return Side::torn;
+  const Vector3d across = (position_[t[1]] - position_[t[0]]).cross(position_[t[2]] - position_[t[0]]);
+  const double cosine = across.dot(outward_[t[0]] + outward_[t[1]] + outward_[t[2]]);
+  if (cosine == 0) return Side::unclear;
   return cosine > 0 ? Side::front : Side::back;
 }
 

@@ -146,6 +146,19 @@ TEST(HoleFilling, FillsGapsThatAreSmallBesideTheirComponent)
   }
 }
 
+TEST(HoleFilling, KeepsToTheSideThatTheNormalsTell)
+{
+  const std::vector<Eigen::Vector3d> corners{{-1, 0, 0}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}};
+  std::vector<Eigen::Vector3d> outward(corners.size(), Eigen::Vector3d::UnitZ());
+  outward[2] = {std::sqrt(1 - 0.04), 0, -0.2};  // 102 degrees off the square
+  FillLimits limits;
+  for (const double facing : {-0.25, -0.15}) {
+    TriangleComplex complex(corners, pds::Parallel(1), outward);
+    limits.facing = facing;
+    EXPECT_EQ(pds::fill_polygon(complex, no_borders, {0, 1, 2, 3}, limits), facing < -0.2);
+  }
+}
+
 TEST(HoleFilling, KnowsWhichCellsBorder)
 {
   const std::vector<pds::SeedPair> pairs{{0, 2, 1, 1}, {0, 5, 1, 1}, {3, 4, 1, 1}};

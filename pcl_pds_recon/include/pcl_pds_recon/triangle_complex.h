@@ -142,6 +142,10 @@ class TriangleComplex
     return face_[face].across[side_of(face, a, b)];
   }
 
+  /** \brief Least cosine between the triangle and what leads outside at its corners, if it is turned to the side that
+   * most of them are on; 1 if nothing is known. */
+  [[nodiscard]] double facing(const Triangle& triangle) const;
+
   /** \brief Faces grouped by the edges that join them, each group ascending, groups by their lowest face. */
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> components() const;
 
