@@ -3,8 +3,9 @@
 # Makes anew what the documentation shows: tables, quoted programs, pictures.
 #   tools/make_documentation.sh BUILD_DIR           all of it; a few minutes
 #   tools/make_documentation.sh --check BUILD_DIR   only says what does not agree with the code; seconds
-# BUILD_DIR holds a complete build. The pictures of docs/viewer.md and the README's figures need the Dragon, which
-# tools/demo.sh fetches.
+# BUILD_DIR holds a complete build. The pictures of docs/viewer.md, the README's Dragon and its table need the Dragon, which
+# tools/demo.sh fetches; its terrain needs PDAL's autzen_trim_7.las in ../shared/data. docs/performance.md and docs/quality.md
+# compare with other programs, and name the commands of their own figures.
 set -euo pipefail
 
 check=no
@@ -32,10 +33,21 @@ tools/documentation/draw_parameters.sh "$build" docs/parameters
 dragon=build/demo/dragon_vrip.ply
 if [ -f "$dragon" ]; then
   tools/make_screenshots.sh "$build" "$dragon" docs/screenshots
+  "$build/tools/pcl_pds_recon" -q "$dragon" "$work/dragon.ply"
+  env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" --show mesh,edges --shading flat --camera 10,10,1.6 \
+    --size 1200x840 --screenshot "$work/dragon.png" "$work/dragon.ply"
+  /usr/bin/python3 -c 'import sys; from PIL import Image
+Image.open(sys.argv[1]).convert("RGB").quantize(32).save(sys.argv[2], optimize=True)' "$work/dragon.png" docs/dragon.png
   tools/documentation/measure_dragon.sh "$build" "$dragon" >"$work/table"
   sed -i -e "/^<!-- measured -->/,/^<!-- end -->/{/^|/d}" -e "/^<!-- measured -->/r $work/table" README.md
 else
-  echo "docs/screenshots/ and the README's table of the Dragon are left as they are: $dragon is not there," \
+  echo "docs/screenshots/, docs/dragon.png and the README's table are left as they are: $dragon is not there," \
     "tools/demo.sh fetches it"
+fi
+terrain=../shared/data/autzen_trim_7.las
+if [ -f "$terrain" ]; then
+  tools/make_glb_picture.py "$build" "$terrain" docs/glb.png
+else
+  echo "docs/glb.png is left as it is: $terrain is not there"
 fi
 python3 tools/documentation/check_documentation.py --write "$build"
