@@ -3,9 +3,9 @@
 # Makes anew what the documentation shows: tables, quoted programs, pictures.
 #   tools/make_documentation.sh BUILD_DIR           all of it; a few minutes
 #   tools/make_documentation.sh --check BUILD_DIR   only says what does not agree with the code; seconds
-# BUILD_DIR holds a complete build. The pictures of docs/viewer.md, the README's Dragon and its table need the Dragon, which
-# tools/demo.sh fetches; its terrain needs PDAL's autzen_trim_7.las in ../shared/data. docs/performance.md and docs/quality.md
-# compare with other programs, and name the commands of their own figures.
+# BUILD_DIR holds a complete build. The pictures of docs/viewer.md, the README's Dragon and its table need the Dragon,
+# which tools/demo.sh fetches; its terrain needs PDAL's autzen_trim_7.las in ../shared/data. docs/performance.md and
+# docs/quality.md compare with other programs, and name the commands of their own figures.
 set -euo pipefail
 
 check=no
