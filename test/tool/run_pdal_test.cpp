@@ -79,6 +79,17 @@ TEST_F(RunPdal, complains_of_an_e57_that_announces_more_points_than_it_holds)
   EXPECT_EQ(files(), Names{"cloud.e57"});
 }
 
+TEST_F(RunPdal, complains_of_an_e57_without_cartesian_coordinates)
+{
+  const std::vector<double> values(utm_points, 1);
+  write("cloud.e57",
+        e57({{"sphericalRange", values}, {"sphericalAzimuth", values}, {"sphericalElevation", values}}, utm_points));
+  EXPECT_EQ(run("-q cloud.e57 out.ply"), 1);
+  EXPECT_TRUE(complained_of("cloud.e57: "));
+  EXPECT_TRUE(complained_of("; "));
+  EXPECT_EQ(files(), Names{"cloud.e57"});
+}
+
 TEST_F(RunPdal, leaves_out_points_of_an_e57_without_coordinates_and_says_so)
 {
   std::vector<E57Column> columns = e57_columns();
