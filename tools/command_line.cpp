@@ -159,6 +159,32 @@ void check_files_differ(const CommandLine& command_line)
   }
 }
 
+/** What is about triangles alone is refused where there may be curves. */
+void check_curves(const CommandLine& command_line)
+{
+  if (command_line.options.dimension == Dimension::surface) {
+    return;
+  }
+  if (command_line.levels > 1) {
+    throw UsageError("--levels is for surfaces only; leave it out, or take --dimension 2");
+  }
+  if (command_line.normals) {
+    throw UsageError("--normals: curves have none; leave it out, or take --dimension 2");
+  }
+  if (!command_line.html_file.empty()) {
+    throw UsageError("--html: the page shows surfaces only; leave it out, or take --dimension 2");
+  }
+}
+
+void check_format_of_curves(const CommandLine& command_line)
+{
+  const std::string extension = output_extension(command_line);
+  if (command_line.options.dimension != Dimension::surface && !holds_segments(extension)) {
+    throw UsageError(command_line.output + ": '" + extension +
+                     "' holds triangles only, no curves; write .ply, or take --dimension 2");
+  }
+}
+
 void check_levels(const CommandLine& command_line)
 {
   if (command_line.levels < 1 || command_line.levels > most_levels) {
@@ -211,8 +237,10 @@ CommandLine interpret(const po::variables_map& arguments)
   }
   take_options(arguments, command_line);
   check_levels(command_line);
+  check_curves(command_line);
   take_files(arguments, command_line);
   check_output_names(command_line);
+  check_format_of_curves(command_line);
   check_outputs_of_levels(command_line);
   check_files_differ(command_line);
   return command_line;

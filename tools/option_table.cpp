@@ -5,9 +5,10 @@
 #include "io/write_mesh.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -101,25 +102,25 @@ OptionRow levels_option()
           set,      get};
 }
 
-OptionRow placement_option()
+/** \param words of the values in the order of the enumeration, parted by | */
+template <typename Choice>
+OptionRow choice(std::string name, const std::string& words, std::string help, Choice Options::*member)
 {
-  static const std::pair<const char*, Placement> choices[] = {{"point", Placement::point},
-                                                              {"quadric", Placement::quadric}};
-  const auto set = [](CommandLine& command_line, const std::string& text) {
-    const auto* const choice =
-        std::find_if(std::begin(choices), std::end(choices), [&text](const auto& c) { return text == c.first; });
-    if (choice == std::end(choices)) {
+  std::vector<std::string> choices;
+  boost::algorithm::split(choices, words, boost::algorithm::is_any_of("|"));
+  const auto set = [choices, member](CommandLine& command_line, const std::string& text) {
+    const auto found = std::find(choices.begin(), choices.end(), text);
+    if (found == choices.end()) {
       return false;
     }
-    command_line.options.placement = choice->second;
+    command_line.options.*member = static_cast<Choice>(found - choices.begin());
     return true;
   };
-  const auto get = [](const CommandLine& command_line) {
-    return std::string(choices[static_cast<std::size_t>(command_line.options.placement)].first);
+  const auto get = [choices, member](const CommandLine& command_line) {
+    return choices[static_cast<std::size_t>(command_line.options.*member)];
   };
-  return {
-      "placement", 0,  "point|quadric", "vertices on input points, or where they fit the points best (default point)",
-      set,         get};
+  help += " (default " + get(CommandLine()) + ")";
+  return {std::move(name), 0, words, std::move(help), set, get};
 }
 
 OptionRow classes_option()
@@ -162,7 +163,10 @@ std::vector<OptionRow> make_table()
              &Options::voronoi_threshold),
       number("hole-size", 0, "X", "perimeter limit in radii of holes that may be gaps; 0: Voronoi dual triangles only",
              &Options::hole_size),
-      placement_option(),
+      choice("placement", "point|quadric", "vertices on input points, or where they fit the points best",
+             &Options::placement),
+      choice("dimension", "1|2|auto", "curves, surfaces, or each part of INPUT what it looks like",
+             &Options::dimension),
       number("relax", 0, "N", "steps that even out the triangles, 0 ... 100", &Options::relax),
       levels_option(),
       number("threads", 'j', "N", "worker threads, 0 ... 1024; 0: all cores. The mesh does not depend on it",

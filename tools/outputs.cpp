@@ -84,7 +84,7 @@ std::vector<std::string> save_outputs(const CommandLine& command_line,
     AtomicFile& file = mesh_files.emplace_back(level_path(command_line.output, level));
     const Reconstruction& mesh = levels[level];
     if (level == 0) {
-      write_mesh(file, extension, vertices, mesh.triangles, command_line.ascii);
+      write_mesh(file, extension, vertices, mesh.triangles, command_line.ascii, mesh.segments);
     } else {
       write_mesh(file, extension, make_vertices(command_line, points, mesh), mesh.triangles, command_line.ascii);
     }

@@ -47,14 +47,20 @@ std::size_t peak_rss_bytes()
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-/** \brief What is wrong with a cloud that gave no faces, and how to mend it. */
-std::string why_no_faces(const Report& report)
+/** \brief What is wrong with a cloud that gave neither faces nor curves, and how to mend it. */
+std::string why_no_mesh(const Report& report, Dimension dimension)
 {
   if (report.valid_points == 0) {
     return "none of the points has finite coordinates; check the file's x, y and z";
   }
-  if (report.radius <= 0) {
+  if (report.valid_points - report.merged_points <= 1) {
     return "all points are in one place; check the file's x, y and z";
+  }
+  if (dimension == Dimension::curve) {
+    return fmt::format(
+        "no curves came out of {} points: they look like a line at no scale, or there are too few for the radius; take "
+        "--dimension 2 or auto, or a smaller -f or -r",
+        report.valid_points);
   }
   const bool every_point_is_a_seed = report.seeds + report.merged_points == report.valid_points;
   if (every_point_is_a_seed) {
@@ -79,8 +85,8 @@ std::vector<Reconstruction> reconstruct_table(const PointTable& points,
     std::vector<Reconstruction> levels =
         reconstruct_levels(points.view(), command_line.options, command_line.levels, on_stage);
     for (const Reconstruction& level : levels) {
-      if (level.triangles.empty()) {
-        throw InvalidInput(why_no_faces(level.report));
+      if (level.triangles.empty() && level.segments.empty()) {
+        throw InvalidInput(why_no_mesh(level.report, command_line.options.dimension));
       }
     }
     return levels;
@@ -98,7 +104,19 @@ void print_options(const CommandLine& command_line, ProgressReporter& progress)
   }
 }
 
-void print_summary(const Report& report, ProgressReporter& progress)
+/** \brief What was made; with curves, how many there are, so that it shows what each part was taken for. */
+std::string summary(const Report& report, Dimension dimension)
+{
+  if (dimension == Dimension::surface) {
+    return fmt::format("{} vertices, {} faces, {} components, {} boundary loops", report.vertices, report.faces,
+                       report.components, report.boundary_loops);
+  }
+  return fmt::format("{} vertices; curves: {} ({} closed), {} segments; surfaces: {}, {} faces, {} boundary loops",
+                     report.vertices, report.curves, report.closed_curves, report.segments,
+                     report.components - report.curves, report.faces, report.boundary_loops);
+}
+
+void print_summary(const Report& report, Dimension dimension, ProgressReporter& progress)
 {
   for (const auto& [stage, duration] : stage_times(report.seconds)) {
     progress.detail(fmt::format("{}: {:.3f} s", stage, duration));
@@ -106,8 +124,7 @@ void print_summary(const Report& report, ProgressReporter& progress)
   if (report.outliers > 0) {
     progress.info(fmt::format("{} outliers left out", report.outliers));
   }
-  progress.info(fmt::format("{} vertices, {} faces, {} components, {} boundary loops; {:.2f} s", report.vertices,
-                            report.faces, report.components, report.boundary_loops, report.seconds.total));
+  progress.info(fmt::format("{}; {:.2f} s", summary(report, dimension), report.seconds.total));
 }
 
 void run(const CommandLine& command_line)
@@ -143,7 +160,7 @@ void run(const CommandLine& command_line)
     }
   }
   for (const Reconstruction& level : levels) {
-    print_summary(level.report, progress);
+    print_summary(level.report, command_line.options.dimension, progress);
   }
 }
 

@@ -12,6 +12,17 @@ void require(bool ok, const char* what)
   if (!ok) throw InvalidOption(what);
 }
 
+/** \brief What is meant for surfaces alone must be at its default if there may be curves. */
+void validate_dimension(const Options& options)
+{
+  if (options.dimension == Dimension::surface) return;
+  require(options.vertices == 0, "vertices can be asked for of surfaces only; give a radius, or dimension 2");
+  require(options.max_error == 0, "max_error can be asked for of surfaces only; give a radius, or dimension 2");
+  require(options.adaptive == 0, "adaptive is for surfaces only; leave it out, or take dimension 2");
+  require(options.relax == 0, "relax is for surfaces only; leave it out, or take dimension 2");
+  require(options.placement == Placement::point, "placement off the points is for surfaces only; take dimension 2");
+}
+
 bool within(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
 
 }  // namespace
@@ -31,6 +42,7 @@ void validate(const Options& options)
   require(within(options.voronoi_threshold, 0, 1), "voronoi_threshold must be 0 to 1 radii");
   require(options.threads <= 1024, "threads must be 0 (all cores) to 1024");
   require(options.hole_size >= 0 && std::isfinite(options.hole_size), "hole_size must be 0 or positive and finite");
+  validate_dimension(options);
 }
 
 }  // namespace pds

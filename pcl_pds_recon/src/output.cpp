@@ -96,6 +96,30 @@ std::vector<std::uint32_t> number_vertices(std::vector<Triangle> triangles,
   return number_of_seed;
 }
 
+std::vector<std::uint32_t> number_along_curves(const std::vector<Curve>& curves,
+                                               const OrderedPoints& points,
+                                               const PoissonDiskSampling& sampling,
+                                               Reconstruction& result)
+{
+  std::vector<std::uint32_t> number_of_seed(sampling.seeds.size(), NearestSeeds::none);
+  const auto number = [&](std::uint32_t seed) {
+    number_of_seed[seed] = static_cast<std::uint32_t>(result.seeds.size());
+    result.seeds.push_back(points.input_index[sampling.seeds[seed]]);
+  };
+  for (const Curve& curve : curves) {
+    const auto first = static_cast<std::uint32_t>(result.seeds.size());
+    for (const std::uint32_t seed : curve.seeds) number(seed);
+    const auto last = static_cast<std::uint32_t>(result.seeds.size()) - 1;
+    for (std::uint32_t v = first; v < last; ++v) result.segments.push_back({v, v + 1});
+    if (curve.closed) result.segments.push_back({last, first});
+  }
+  for (std::uint32_t seed = 0; seed < number_of_seed.size(); ++seed)
+    if (number_of_seed[seed] == NearestSeeds::none) number(seed);
+  for (const auto& [a, b] : result.segments) result.seed_edges.push_back({std::min(a, b), std::max(a, b)});
+  std::sort(result.seed_edges.begin(), result.seed_edges.end());
+  return number_of_seed;
+}
+
 void describe_points(const PointCloudView& cloud,
                      const OrderedPoints& points,
                      const PoissonDiskSampling& sampling,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_pds_recon/curve_extraction.h>
 #include <pcl_pds_recon/geodesic_voronoi.h>
 #include <pcl_pds_recon/ordered_points.h>
 #include <pcl_pds_recon/parallel.h>
@@ -21,6 +22,13 @@ namespace pds
                                                          const PoissonDiskSampling& sampling,
                                                          Reconstruction& result,
                                                          const Parallel& parallel);
+
+/** \brief Fills in the seeds, those of curves first and in their order, and the segments.
+ * \return likewise */
+[[nodiscard]] std::vector<std::uint32_t> number_along_curves(const std::vector<Curve>& curves,
+                                                             const OrderedPoints& points,
+                                                             const PoissonDiskSampling& sampling,
+                                                             Reconstruction& result);
 
 /** \brief Fills in the label and distance of every input point, and which of them are witnesses. */
 void describe_points(const PointCloudView& cloud,

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <utility>
 #include "cloud_distance.h"
+#include "dimension.h"
 #include "output.h"
 #include "preparation.h"
 #include "radius_search.h"
@@ -258,6 +259,10 @@ std::vector<Reconstruction> reconstruct_levels(const PointCloudView& cloud,
   validate(options);
   if (levels < 1 || levels > most_levels) throw InvalidOption("levels must be 1 to 16");
   if (levels > 1 && options.relax > 0) throw InvalidOption("levels cannot be nested if relax moves their seeds");
+  if (options.dimension != Dimension::surface) {
+    if (levels > 1) throw InvalidOption("levels are for surfaces only; take one, or dimension 2");
+    return {reconstruct_curves_too(cloud, options, progress)};
+  }
   Run run(cloud, options, progress);
   run.find_radius();
   RadiusSearch search(options, run.radius(), run.least_radius());

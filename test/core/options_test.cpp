@@ -23,6 +23,12 @@ struct Field
   std::vector<double> bad;
 };
 
+pds::Options& with_curves(pds::Options& options)
+{
+  options.dimension = pds::Dimension::automatic;
+  return options;
+}
+
 const Field fields[] = {
     {"k_neighbors", [](auto& o, double v) { o.k_neighbors = static_cast<int>(v); }, {4, 200}, {3, 0, -1, 201}},
     {"radius_factor", [](auto& o, double v) { o.radius_factor = v; }, {1.5, 1000}, {1.49, 0, -3, 1001, nan, inf}},
@@ -32,6 +38,11 @@ const Field fields[] = {
     {"vertices", [](auto& o, double v) { o.vertices = static_cast<std::uint64_t>(v); }, {0, 4, 20}, {1, 3, 1e15}},
     {"max_error", [](auto& o, double v) { o.max_error = v; }, {0, 0.5}, {-1, nan, inf}},
     {"relax", [](auto& o, double v) { o.relax = static_cast<unsigned>(v); }, {0, 2}, {101}},
+    {"vertices", [](auto& o, double v) { with_curves(o).vertices = static_cast<std::uint64_t>(v); }, {}, {100}},
+    {"max_error", [](auto& o, double v) { with_curves(o).max_error = v; }, {}, {1}},
+    {"adaptive", [](auto& o, double v) { with_curves(o).adaptive = v; }, {}, {0.3}},
+    {"relax", [](auto& o, double v) { with_curves(o).relax = static_cast<unsigned>(v); }, {}, {1}},
+    {"placement", [](auto& o, double) { with_curves(o).placement = pds::Placement::quadric; }, {}, {0}},
     {"hole_size", [](auto& o, double v) { o.hole_size = v; }, {0, 15, 1e6}, {-1, nan, inf}},
     {"threads", [](auto& o, double v) { o.threads = static_cast<unsigned>(v); }, {0, 1, 1024}, {1025, 4e9}},
 };

@@ -204,5 +204,46 @@ TEST_P(SampledModel, IsClosedAndOfTheRightGenus)
     expect_closed(run(view_of(points), points, adaptive(coefficient)).mesh, points, GetParam().genus);
 }
 
+TEST(TrajectoryScan, IsOneOpenCurve)
+{
+  SKIP_IF_ABSENT("traj_sbet.ply");
+  const Scan scan("traj_sbet.ply");  // an aircraft's way, its points in the order of time
+  pds::Options options;
+  for (const pds::Dimension dimension : {pds::Dimension::curve, pds::Dimension::automatic}) {
+    options.dimension = dimension;
+    const pds::Reconstruction result = pds::reconstruct(scan.table.view(), options);
+    EXPECT_EQ(result.report.curves, 1U);
+    EXPECT_EQ(result.report.closed_curves, 0U);
+    EXPECT_EQ(result.report.vertices, result.report.seeds);
+    ASSERT_GT(result.report.vertices, 100U);
+    // The vertices follow the time, or run against it, from end to end.
+    std::vector<std::uint32_t> way = result.seeds;
+    if (way.front() > way.back()) std::reverse(way.begin(), way.end());
+    EXPECT_TRUE(std::is_sorted(way.begin(), way.end()));
+    EXPECT_EQ(way.front(), 0U);
+    EXPECT_EQ(way.back(), scan.points.size() - 1);
+    double flown = 0;
+    for (std::size_t i = 1; i < scan.points.size(); ++i) flown += (scan.points[i] - scan.points[i - 1]).norm();
+    double length = 0;
+    for (const auto& [a, b] : result.segments)
+      length += (scan.points[result.seeds[a]] - scan.points[result.seeds[b]]).norm();
+    EXPECT_NEAR(length, flown, 1e-4 * flown);
+  }
+}
+
+TEST(RawScansAsTheyAre, HoldNoCurves)
+{
+  pds::Options options;
+  options.dimension = pds::Dimension::automatic;
+  for (const char* name : {"dragon_stand_rawscans.ply", "bunny_rawscans.ply"}) {
+    SKIP_IF_ABSENT(name);
+    const Scan scan(name);
+    const pds::Reconstruction told = pds::reconstruct(scan.table.view(), options);
+    const pds::Reconstruction known = pds::reconstruct(scan.table.view(), pds::Options());
+    EXPECT_EQ(told.report.curves, 0U) << name;
+    EXPECT_EQ(told.triangles, known.triangles) << name;
+  }
+}
+
 }  // namespace
 }  // namespace pds_test

@@ -107,6 +107,7 @@ TEST(PoissonDiskReconstruction, SettersAndGettersAgreeAndRunsKeepSettings)
   EXPECT_EQ(reconstruction.getMaximumError(), defaults.max_error);
   EXPECT_EQ(reconstruction.getRelaxationSteps(), defaults.relax);
   EXPECT_EQ(reconstruction.getPlacement(), defaults.placement);
+  EXPECT_EQ(reconstruction.getDimension(), defaults.dimension);
   EXPECT_EQ(reconstruction.getNumberOfThreads(), defaults.threads);
   EXPECT_EQ(reconstruction.getSeed(), defaults.seed);
 

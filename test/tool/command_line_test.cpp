@@ -119,6 +119,30 @@ TEST(CommandLineTest, names_the_option_that_is_no_number)
   EXPECT_TRUE(contains(complaint_with_files({"-k", "3x"}), "--k-neighbors"));
   EXPECT_TRUE(contains(complaint_with_files({"-k", "15.5"}), "--k-neighbors"));
   EXPECT_TRUE(contains(complaint_with_files({"--placement", "middle"}), "--placement: 'middle' does not fit"));
+  EXPECT_TRUE(contains(complaint_with_files({"--dimension", "3"}), "--dimension: '3' does not fit: "));
+}
+
+TEST(CommandLineTest, takes_dimensions)
+{
+  EXPECT_EQ(parse_with_files({}).options.dimension, Dimension::surface);
+  EXPECT_EQ(parse_with_files({"--dimension", "1"}).options.dimension, Dimension::curve);
+  EXPECT_EQ(parse_with_files({"--dimension", "2"}).options.dimension, Dimension::surface);
+  EXPECT_EQ(parse_with_files({"--dimension=auto"}).options.dimension, Dimension::automatic);
+}
+
+TEST(CommandLineTest, refuses_with_curves_what_is_about_triangles)
+{
+  const std::vector<std::vector<std::string>> refused = {
+      {"--vertices", "100"},      {"--max-error", "1"}, {"--adaptive", "0.3"}, {"--relax", "2"},
+      {"--placement", "quadric"}, {"--levels", "2"},    {"--normals"},         {"--html", "page.html"}};
+  for (const char* dimension : {"1", "auto"}) {
+    for (std::vector<std::string> arguments : refused) {
+      const std::string name = arguments.front();
+      arguments.insert(arguments.end(), {"--dimension", dimension});
+      EXPECT_TRUE(contains(complaint_with_files(arguments), name)) << name << " with " << dimension;
+    }
+    EXPECT_TRUE(contains(complaint({"in.ply", "out.stl", "--dimension", dimension}), "'.stl' holds triangles only"));
+  }
 }
 
 TEST(CommandLineTest, names_the_option_out_of_range)
@@ -202,6 +226,8 @@ TEST_F(Config, round_trip_gives_the_same_run)
                                               "3",
                                               "--placement",
                                               "quadric",
+                                              "--dimension",
+                                              "2",
                                               "--class",
                                               "2,6",
                                               "--normals",

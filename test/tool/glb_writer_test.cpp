@@ -51,11 +51,13 @@ struct Glb
 class GlbWriter : public TemporaryDirectory
 {
  protected:
-  [[nodiscard]] Glb write_and_parse(const PointTable& points, const Triangles& triangles) const
+  [[nodiscard]] Glb write_and_parse(const PointTable& points,
+                                    const Triangles& triangles,
+                                    const Segments& segments = {}) const
   {
     {
       AtomicFile file(path("mesh.glb"));
-      write_glb(file, points, triangles);
+      write_glb(file, points, triangles, segments);
       file.finish();
       file.commit();
     }
@@ -97,6 +99,18 @@ TEST_F(GlbWriter, places_a_utm_mesh_by_a_translation)
   const auto corners = number_at<std::array<std::uint32_t, 6>>(glb.binary, begin);
   EXPECT_EQ(corners, (std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(glb.description["asset"]["version"], "2.0");
+}
+
+TEST_F(GlbWriter, draws_curves_as_lines)
+{
+  const PointTable points({{"x", ScalarType::float32}, {"y", ScalarType::float32}, {"z", ScalarType::float32}}, 3);
+  const Glb curves = write_and_parse(points, {}, {{0, 1}, {1, 2}});
+  EXPECT_EQ(curves.description["meshes"][0]["primitives"].size(), 1U);
+  EXPECT_EQ(curves.primitive()["mode"], 1);
+  EXPECT_EQ(curves.description["accessors"][curves.primitive()["indices"].get<std::size_t>()]["count"], 4);
+  const Glb both = write_and_parse(points, {{0, 1, 2}}, {{0, 1}});
+  EXPECT_EQ(both.description["meshes"][0]["primitives"].size(), 2U);
+  EXPECT_EQ(both.primitive()["mode"], 4);
 }
 
 TEST_F(GlbWriter, keeps_float_positions_to_the_last_bit_with_normals_and_linear_colors)

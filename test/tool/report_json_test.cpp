@@ -25,7 +25,8 @@ TEST(ReportJson, has_the_promised_keys)
   const auto json = nlohmann::ordered_json::parse(to_json(Report()));
   EXPECT_EQ(
       keys(json),
-      "input_points valid_points k sampling_interval radius seeds vertices faces edges components boundary_loops "
+      "input_points valid_points k sampling_interval radius seeds vertices faces edges components segments "
+      "curves closed_curves curve_radius boundary_loops "
       "nonmanifold_edges nonmanifold_vertices inconsistent_edges euler closed orientable filled_holes p99_distance "
       "merged_points outliers thinned_points smoothed refined_seeds min_seed_distance coverage_radius threads seconds "
       "peak_rss_bytes version ");

@@ -6,6 +6,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -54,12 +55,17 @@ class VtkRoundTrip : public TemporaryDirectory
     const PointTable points = points_with(all_types());
     const std::string extension = name.substr(name.find('.'));
     AtomicFile file(path(name));
-    write_mesh(file, extension, points, {{0, 1, 2}}, ascii);
+    write_mesh(file, extension, points, {{0, 1, 2}}, ascii, {{0, 1}, {1, 2}});
     file.finish();
     file.commit();
     const auto mesh =
         extension == ".vtp" ? read_with<vtkXMLPolyDataReader>(path(name)) : read_with<vtkPolyDataReader>(path(name));
     EXPECT_EQ(mesh->GetPolys()->GetNumberOfCells(), 1);
+    ASSERT_EQ(mesh->GetLines()->GetNumberOfCells(), 2);
+    vtkNew<vtkIdList> ends;
+    mesh->GetLines()->GetCellAtId(1, ends);
+    EXPECT_EQ(ends->GetId(0), 1);
+    EXPECT_EQ(ends->GetId(1), 2);
     expect_same(points, {"x", "y", "z"}, mesh->GetPoints()->GetData());
     expect_same(points, {"nx", "ny", "nz"}, mesh->GetPointData()->GetNormals());
     expect_same(points, {"red", "green", "blue"}, mesh->GetPointData()->GetArray("RGB"));

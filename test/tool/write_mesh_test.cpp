@@ -18,6 +18,7 @@ namespace
 using Values = std::vector<double>;
 
 const Triangles one_triangle = {{0, 1, 2}};
+const Segments two_segments = {{0, 1}, {1, 2}};
 
 /** Three points of a scan in UTM with fields of all kinds. */
 PointTable utm_points()
@@ -42,10 +43,14 @@ class WriteMesh : public TemporaryDirectory
 {
  protected:
   /** \return path of the file */
-  std::string save(const std::string& name, const PointTable& points, bool ascii = false) const
+  std::string save(const std::string& name,
+                   const PointTable& points,
+                   bool ascii = false,
+                   const Triangles& triangles = one_triangle,
+                   const Segments& segments = {}) const
   {
     AtomicFile file(path(name));
-    write_mesh(file, std::filesystem::path(name).extension().string(), points, one_triangle, ascii);
+    write_mesh(file, std::filesystem::path(name).extension().string(), points, triangles, ascii, segments);
     file.finish();
     file.commit();
     return path(name);
@@ -70,6 +75,28 @@ TEST_F(WriteMesh, ply_gives_every_bit_of_every_field_back)
       EXPECT_EQ(row_values(same, row), row_values(points, row)) << "ascii: " << ascii;
     }
   }
+}
+
+TEST_F(WriteMesh, ply_has_curves)
+{
+  const PointTable points = utm_points();
+  const std::string ascii = read(std::filesystem::path(save("a.ply", points, true, {}, two_segments)).filename());
+  EXPECT_TRUE(contains(ascii, "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n"));
+  EXPECT_FALSE(contains(ascii, "element face"));
+  EXPECT_EQ(ascii.substr(ascii.size() - 8), "0 1\n1 2\n");
+  const std::string binary = read(std::filesystem::path(save("b.ply", points, false, {}, two_segments)).filename());
+  EXPECT_EQ(binary.substr(binary.size() - 16), std::string("\0\0\0\0\1\0\0\0\1\0\0\0\2\0\0\0", 16));
+  const std::string both =
+      read(std::filesystem::path(save("c.ply", points, true, one_triangle, two_segments)).filename());
+  EXPECT_TRUE(contains(both, "3 0 1 2\n0 1\n1 2\n"));
+  EXPECT_EQ(read_points(path("c.ply"), Parallel(1)).size(), points.size());
+}
+
+TEST_F(WriteMesh, obj_has_curves)
+{
+  const std::string text = read(std::filesystem::path(save("a.obj", utm_points(), false, {}, two_segments)).filename());
+  EXPECT_TRUE(contains(text, "\nl 1 2\nl 2 3\n"));
+  EXPECT_FALSE(contains(text, "\nf "));
 }
 
 TEST_F(WriteMesh, ply_has_faces)

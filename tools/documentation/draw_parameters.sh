@@ -53,6 +53,30 @@ for threshold in 0.02 0.1 0.4; do
   show "voronoi_threshold_$threshold" "$work/witness.xyz"
 done
 
+# Curves, drawn by the viewer's own run.
+curve() # PICTURE CLOUD OPTION...
+{
+  local picture=$1 cloud=$2
+  shift 2
+  env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" "$@" --camera "$camera" --size 300x260 \
+    --screenshot "$output/$picture.png" "$cloud"
+}
+simulate() # SHAPE NOISE
+{
+  "$build/tools/generate/simulate_curve" --points 3000 --shape "$1" --noise "$2" "$work/$1.xyz"
+}
+simulate circle 0.01
+simulate trefoil 0.03
+simulate spiral 0.02
+simulate rings 0.01
+awk '{ print 60 * $1, 60 * $2, 60 * $3 }' "$work/circle.xyz" >"$work/ring.xyz"
+camera=0,80,1.4,z
+for shape in circle trefoil spiral rings; do
+  [ $shape = rings ] && camera=35,35,1.4,z
+  curve "dimension_$shape" "$work/$shape.xyz" --dimension 1 --show cloud,seeds,graph
+done
+curve dimension_auto "$work/part.ply" "$work/ring.xyz" --dimension auto --show mesh,graph
+
 camera=35,25,1.4,z layers=mesh
 draw class_all "$work/terrain.las"
 draw class_ground "$work/terrain.las" --class 2,9

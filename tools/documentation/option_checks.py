@@ -8,6 +8,8 @@ from program_options import find_range, read_setters, short_number
 
 # Every program has these; a page may pass them over.
 COMMON = {"help", "version"}
+# Values that the headers call by a name and the command tool by a number.
+NUMBERED = {"curve": "1", "surface": "2"}
 
 
 def spelled_options(cell):
@@ -70,7 +72,7 @@ def check_settings(settings, options):
     """The fields, the comments of the setters and the programs agree."""
     for setting in settings.values():
         option = options.get(setting.field.replace("_", "-"))
-        if option and option.default != setting.default:
+        if option and option.default != NUMBERED.get(setting.default, setting.default):
             yield f"options.h: {setting.field} is {setting.default}, but --{option.name} {option.default}"
         if option and setting.range and option.range != setting.range:
             yield f"options.h: the range of {setting.field} is {setting.range}, but of --{option.name} {option.range}"

@@ -25,6 +25,8 @@ constexpr int code_unsigned_int = 5125;
 constexpr int code_float = 5126;
 constexpr int code_vertices = 34962;
 constexpr int code_indices = 34963;
+constexpr int code_lines = 1;
+constexpr int code_triangles = 4;
 constexpr std::uint32_t code_glb = 0x46546C67;     // "glTF"
 constexpr std::uint32_t code_json = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t code_binary = 0x004E4942;  // "BIN"
@@ -55,7 +57,9 @@ class GltfBuilder
   Json& accessor(int number) { return accessors_[static_cast<std::size_t>(number)]; }
 
   /** \brief The whole file. */
-  [[nodiscard]] std::string finish(const Json& attributes, int indices, const Eigen::Vector3d& translation) const
+  [[nodiscard]] std::string finish(const Json& attributes,
+                                   const Json& primitives,
+                                   const Eigen::Vector3d& translation) const
   {
     const bool has_colors = attributes.contains("COLOR_0");
     const std::array<double, 4> color = has_colors ? std::array<double, 4>{1, 1, 1, 1} : clay;
@@ -66,16 +70,15 @@ class GltfBuilder
     if (!translation.isZero(0)) {
       node["translation"] = {translation.x(), translation.y(), translation.z()};
     }
-    const Json description = {
-        {"asset", {{"version", "2.0"}, {"generator", "pcl_pds_recon " PCL_PDS_RECON_VERSION}}},
-        {"scene", 0},
-        {"scenes", {{{"nodes", {0}}}}},
-        {"nodes", {node}},
-        {"meshes", {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}}},
-        {"materials", {material}},
-        {"accessors", accessors_},
-        {"bufferViews", views_},
-        {"buffers", {{{"byteLength", binary_.size()}}}}};
+    const Json description = {{"asset", {{"version", "2.0"}, {"generator", "pcl_pds_recon " PCL_PDS_RECON_VERSION}}},
+                              {"scene", 0},
+                              {"scenes", {{{"nodes", {0}}}}},
+                              {"nodes", {node}},
+                              {"meshes", {{{"primitives", primitives}}}},
+                              {"materials", {material}},
+                              {"accessors", accessors_},
+                              {"bufferViews", views_},
+                              {"buffers", {{{"byteLength", binary_.size()}}}}};
     std::string text = description.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const auto length = [](std::size_t bytes) { return static_cast<std::uint32_t>(bytes); };
@@ -174,7 +177,7 @@ int add_colors(GltfBuilder& builder, const PointTable& points, ScalarType type)
 
 }  // namespace
 
-std::string make_glb(const PointTable& points, const Triangles& triangles)
+std::string make_glb(const PointTable& points, const Triangles& triangles, const Segments& segments)
 {
   const Eigen::Vector3d origin = find_origin(points);
   GltfBuilder builder;
@@ -185,16 +188,24 @@ std::string make_glb(const PointTable& points, const Triangles& triangles)
   if (const auto type = points.color_type()) {
     attributes["COLOR_0"] = add_colors(builder, points, *type);
   }
-  const int indices = builder.add(triangles, code_unsigned_int, "SCALAR", code_indices);
+  Json primitives = Json::array();
+  const auto add_primitive = [&](const auto& cells, int mode) {
+    if (!cells.empty()) {
+      const int indices = builder.add(cells, code_unsigned_int, "SCALAR", code_indices);
+      primitives.push_back({{"attributes", attributes}, {"indices", indices}, {"material", 0}, {"mode", mode}});
+    }
+  };
+  add_primitive(triangles, code_triangles);
+  add_primitive(segments, code_lines);
   if (builder.bytes() > std::numeric_limits<std::uint32_t>::max() / 2) {
     throw OutputError("the mesh is larger than the 4 GiB that glTF allows; write .ply");
   }
-  return builder.finish(attributes, indices, origin);
+  return builder.finish(attributes, primitives, origin);
 }
 
-void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments)
 {
-  const std::string bytes = make_glb(points, triangles);
+  const std::string bytes = make_glb(points, triangles, segments);
   file.write(bytes.data(), bytes.size());
 }
 

@@ -8,16 +8,17 @@
 namespace pds
 {
 
-/** \brief A mesh as binary glTF 2.0 (.glb), as browsers and Blender open it: positions, normals and colours.
+/** \brief A mesh and the edges of curves as binary glTF 2.0 (.glb), as browsers and Blender open it: positions, normals
+ * and colours.
  *
  * glTF has single-precision positions only, so those of a double-precision cloud are relative to the middle of the
  * mesh, whose place is the translation of its node. Axes are those of the cloud. Colours are taken for sRGB, as
  * scanners and cameras write them, and made linear, as glTF wants them. VTK 9.1 writes glTF as text only, and needs a
  * window for it. \throws OutputError if the mesh is too large for the format
  */
-[[nodiscard]] std::string make_glb(const PointTable& points, const Triangles& triangles);
+[[nodiscard]] std::string make_glb(const PointTable& points, const Triangles& triangles, const Segments& segments = {});
 
 /** \brief Likewise into a file. \throws OutputError also if the file cannot be written */
-void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles);
+void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments = {});
 
 }  // namespace pds

@@ -29,7 +29,7 @@ void append_fields(AsciiWriter& writer,
 
 }  // namespace
 
-void write_obj(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+void write_obj(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments)
 {
   AsciiWriter writer(file);
   const std::optional<ScalarType> color_type = points.color_type();
@@ -58,6 +58,13 @@ void write_obj(AtomicFile& file, const PointTable& points, const Triangles& tria
         corner.append("//").append(number);
       }
       writer.append(corner);
+    }
+    writer.end_line();
+  }
+  for (const auto& segment : segments) {
+    writer.append("l");
+    for (const std::uint32_t vertex : segment) {
+      writer.append(std::to_string(vertex + 1));
     }
     writer.end_line();
   }

@@ -37,7 +37,7 @@ PointTable without_wide_integers(const PointTable& points)
   return table;
 }
 
-std::string header(const PointTable& points, std::size_t face_count, bool ascii)
+std::string header(const PointTable& points, std::size_t face_count, std::size_t segment_count, bool ascii)
 {
   std::string text = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") + " 1.0\n";
   text += "element vertex " + std::to_string(points.size()) + "\n";
@@ -47,10 +47,13 @@ std::string header(const PointTable& points, std::size_t face_count, bool ascii)
   if (face_count > 0) {
     text += "element face " + std::to_string(face_count) + "\nproperty list uchar int vertex_indices\n";
   }
+  if (segment_count > 0) {
+    text += "element edge " + std::to_string(segment_count) + "\nproperty int vertex1\nproperty int vertex2\n";
+  }
   return text + "end_header\n";
 }
 
-void write_ascii_body(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+void write_ascii_body(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments)
 {
   AsciiWriter writer(file);
   for (std::size_t row = 0; row < points.size(); ++row) {
@@ -69,10 +72,15 @@ void write_ascii_body(AtomicFile& file, const PointTable& points, const Triangle
     }
     writer.end_line();
   }
+  for (const auto& segment : segments) {
+    writer.append_number(segment[0]);
+    writer.append_number(segment[1]);
+    writer.end_line();
+  }
   writer.flush();
 }
 
-void write_binary_body(AtomicFile& file, const PointTable& points, const Triangles& triangles)
+void write_binary_body(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments)
 {
   file.write(points.record(0), points.size() * points.record_bytes());
   constexpr std::size_t face_bytes = 1 + sizeof triangles.front();
@@ -81,19 +89,21 @@ void write_binary_body(AtomicFile& file, const PointTable& points, const Triangl
     std::memcpy(faces.data() + i * face_bytes + 1, &triangles[i], sizeof triangles[i]);
   }
   file.write(faces.data(), faces.size());
+  file.write(segments.data(), segments.size() * sizeof(Segments::value_type));
 }
 
 }  // namespace
 
-void write_ply(AtomicFile& file, const PointTable& points, const Triangles& triangles, bool ascii)
+void write_ply(
+    AtomicFile& file, const PointTable& points, const Triangles& triangles, bool ascii, const Segments& segments)
 {
   if (std::any_of(points.fields().begin(), points.fields().end(), is_wide_integer)) {
-    write_ply(file, without_wide_integers(points), triangles, ascii);
+    write_ply(file, without_wide_integers(points), triangles, ascii, segments);
     return;
   }
-  const std::string text = header(points, triangles.size(), ascii);
+  const std::string text = header(points, triangles.size(), segments.size(), ascii);
   file.write(text.data(), text.size());
-  (ascii ? write_ascii_body : write_binary_body)(file, points, triangles);
+  (ascii ? write_ascii_body : write_binary_body)(file, points, triangles, segments);
 }
 
 }  // namespace pds

@@ -11,7 +11,6 @@
 #include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataWriter.h>
-#include <array>
 #include <cstring>
 #include <exception>
 #include <initializer_list>
@@ -103,18 +102,29 @@ void add_fields(const PointTable& points, vtkPointData& data)
   }
 }
 
-vtkSmartPointer<vtkPolyData> make_poly_data(const PointTable& points, const Triangles& triangles)
+template <typename Cells>
+vtkSmartPointer<vtkCellArray> make_cells(const Cells& cells)
+{
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& cell : cells) {
+    array->InsertNextCell(static_cast<int>(cell.size()));
+    for (const std::uint32_t vertex : cell) {
+      array->InsertCellPoint(vertex);
+    }
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkPolyData> make_poly_data(const PointTable& points,
+                                            const Triangles& triangles,
+                                            const Segments& segments)
 {
   vtkNew<vtkPoints> positions;
   positions->SetData(make_array(points, {"x", "y", "z"}));
-  vtkNew<vtkCellArray> faces;
-  for (const auto& triangle : triangles) {
-    const std::array<vtkIdType, 3> corners = {triangle[0], triangle[1], triangle[2]};
-    faces->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
-  }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(positions);
-  mesh->SetPolys(faces);
+  mesh->SetPolys(make_cells(triangles));
+  mesh->SetLines(make_cells(segments));
   add_fields(points, *mesh->GetPointData());
   return mesh;
 }
@@ -153,13 +163,14 @@ bool render_legacy_vtk(vtkPolyData* mesh, bool ascii, std::string& bytes)
 void pcl_pds_recon_render_with_vtk(const std::string& extension,
                                    const PointTable& points,
                                    const Triangles& triangles,
+                                   const Segments& segments,
                                    bool ascii,
                                    std::string& bytes,
                                    std::string& complaint)
 {
   try {
     vtkObject::GlobalWarningDisplayOff();  // what goes wrong is reported by the caller, in one line
-    const auto mesh = make_poly_data(points, triangles);
+    const auto mesh = make_poly_data(points, triangles, segments);
     if (!(extension == ".vtp" ? render_vtp : render_legacy_vtk)(mesh, ascii, bytes)) {
       complaint = "the mesh cannot be laid out in memory for VTK's format; write .ply, which does without";
     }

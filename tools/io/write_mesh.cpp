@@ -95,20 +95,26 @@ std::string lost_in_format(const std::string& extension, const PointTable& point
   return boost::algorithm::join(losses, " and ");
 }
 
-void write_mesh(
-    AtomicFile& file, const std::string& extension, const PointTable& points, const Triangles& triangles, bool ascii)
+bool holds_segments(const std::string& extension) { return extension != ".stl"; }
+
+void write_mesh(AtomicFile& file,
+                const std::string& extension,
+                const PointTable& points,
+                const Triangles& triangles,
+                bool ascii,
+                const Segments& segments)
 {
   if (extension == ".ply") {
-    write_ply(file, points, triangles, ascii);
+    write_ply(file, points, triangles, ascii, segments);
   } else if (extension == ".obj") {
-    write_obj(file, points, triangles);
+    write_obj(file, points, triangles, segments);
   } else if (extension == ".stl") {
     write_stl(file, points, triangles, ascii);
   } else if (extension == ".glb") {
-    write_glb(file, points, triangles);
+    write_glb(file, points, triangles, segments);
   } else {
 #ifdef PCL_PDS_RECON_WITH_VTK
-    const std::string bytes = render_with_vtk(extension, points, triangles, ascii);
+    const std::string bytes = render_with_vtk(extension, points, triangles, segments, ascii);
     file.write(bytes.data(), bytes.size());
 #else
     throw OutputError("this build has no VTK and cannot write '" + extension + "'; write .ply");

@@ -22,6 +22,14 @@ enum class Placement
   quadric  ///< where the mesh fits the points of its vertices' Voronoi cells best, off the points; see placement.h
 };
 
+/** \brief What the points are taken for. */
+enum class Dimension
+{
+  curve,     ///< points of curves, open or closed: polylines
+  surface,   ///< points of surfaces: triangle meshes
+  automatic  ///< each connected part of the cloud is what it looks like
+};
+
 /** \brief Everything a reconstruction can be told. The defaults suit a clean, dense scan.
  *
  * Distances are in the unit of the input unless a field says otherwise.
@@ -47,6 +55,10 @@ struct Options
   unsigned relax = 0;
   GeodesicSolver geodesic_solver = GeodesicSolver::fast_marching;  ///< how disks are grown
   Placement placement = Placement::point;                          ///< where the vertices are
+  /** What the points are taken for. Of all options, those that tell the radius by itself, k_neighbors,
+   * voronoi_threshold, threads and seed are for curves as well; others that are not at their defaults are refused
+   * unless this is surface, but for hole_size and geodesic_solver, which curves make no use of. */
+  Dimension dimension = Dimension::surface;
   unsigned threads = 0;    ///< worker threads (0 ... 1024); 0 = all cores. The result does not depend on it
   std::uint64_t seed = 0;  ///< picks one of the equally valid dart-throwing orders
 };

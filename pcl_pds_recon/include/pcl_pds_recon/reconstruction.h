@@ -35,16 +35,20 @@ struct MovedVertices
   std::vector<std::size_t> cell_begin;  ///< by vertex: its first place in cell_point; size vertices + 1
 };
 
-/** \brief An oriented, manifold triangle mesh on a subset of the input points, and how it came about. */
+/** \brief An oriented, manifold triangle mesh, or polylines without branches, on a subset of the input points, and how
+ * it came about. */
 struct Reconstruction
 {
-  /** \brief Input index of each seed. The first report.vertices seeds are the mesh's vertices in its order; seeds that
-   * ended without a face follow. Their order does not depend on the order of the input. */
+  /** \brief Input index of each seed. The first report.vertices seeds are the mesh's vertices in its order, those of
+   * curves last and one after the other; seeds that ended without a face or a segment follow. Their order does not
+   * depend on the order of the input. */
   std::vector<std::uint32_t> seeds;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertices of each face, counter-clockwise from outside
-  MovedVertices moved;                                  ///< empty unless vertices are placed off the points
-  VoronoiDiagram voronoi;                               ///< cell and distance of every input point
-  std::vector<std::uint32_t> witness_points;            ///< input indices of points near Voronoi edges, ascending
+  /** \brief Edges of curves: pairs of vertices, one curve after the other, each in its direction. */
+  std::vector<std::array<std::uint32_t, 2>> segments;
+  MovedVertices moved;                        ///< empty unless vertices are placed off the points
+  VoronoiDiagram voronoi;                     ///< cell and distance of every input point
+  std::vector<std::uint32_t> witness_points;  ///< input indices of points near Voronoi edges, ascending
   /** \brief Seed graph: pairs of seeds whose Voronoi cells border each other, as far as they do not cross; numbers into
    * seeds, the lower one first, ascending. */
   std::vector<std::array<std::uint32_t, 2>> seed_edges;
@@ -55,7 +59,7 @@ struct Reconstruction
 /** \brief Called at the start of every stage with its name and the share of the work done so far (0 ... 1). */
 using Progress = std::function<void(const char* stage, double fraction)>;
 
-/** \brief Reconstructs a surface from a dense point cloud by Poisson-disk sampling (Hou et al. 2015).
+/** \brief Reconstructs surfaces, or curves, from a dense point cloud by Poisson-disk sampling (Hou et al. 2015).
  *
  * Time O(n log n), about 200 bytes per point at 15 neighbours and 260 at 30. The mesh is the same for any number of
  * threads and any input order.
@@ -78,7 +82,8 @@ constexpr unsigned most_levels = 16;  ///< of detail: the coarsest radius is 2^1
  * vertices, which are all among those of the level before.
  *
  * \param levels 1 ... 16
- * \throws InvalidOption besides, if \a levels is out of range, or above 1 and options.relax is not 0
+ * \throws InvalidOption besides, if \a levels is out of range, or above 1 and options.relax is not 0 or
+ * options.dimension not surface
  */
 [[nodiscard]] std::vector<Reconstruction> reconstruct_levels(const PointCloudView& cloud,
                                                              const Options& options,

@@ -40,10 +40,14 @@ struct Report
   double radius = 0;                  ///< Poisson-disk radius in input units (where the weight is 1)
   std::size_t seeds = 0;              ///< Poisson-disk samples, with or without a face
   std::size_t refined_seeds = 0;      ///< of these, added closer than the radius to keep the topology (none at present)
-  std::size_t vertices = 0;           ///< of the mesh; all have a face
+  std::size_t vertices = 0;           ///< of the mesh; all have a face or, on a curve, a segment
   std::size_t faces = 0;              ///< triangles
-  std::size_t edges = 0;              ///< distinct edges
+  std::size_t edges = 0;              ///< distinct edges, of faces and of curves
   std::size_t components = 0;         ///< connected by edges
+  std::size_t segments = 0;           ///< of the edges, those of curves
+  std::size_t curves = 0;             ///< of the components, polylines
+  std::size_t closed_curves = 0;      ///< of these, without ends
+  double curve_radius = 0;            ///< Poisson-disk radius of the curves in input units; 0: none were looked for
   std::size_t boundary_loops = 0;     ///< closed chains of edges with one face
   std::size_t nonmanifold_edges = 0;  ///< edges of more than two faces (always 0)
   std::size_t nonmanifold_vertices = 0;  ///< vertices of more than one fan (always 0)

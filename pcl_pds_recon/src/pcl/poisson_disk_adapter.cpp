@@ -188,6 +188,7 @@ PoissonDiskResult makeResult(pds::Reconstruction&& reconstruction, const PointSe
   const auto vertex_count = static_cast<std::ptrdiff_t>(reconstruction.report.vertices);
   result.seeds.assign(result.all_seeds.begin(), result.all_seeds.begin() + vertex_count);
   result.triangles = std::move(reconstruction.triangles);
+  result.segments = std::move(reconstruction.segments);
 
   result.voronoi_labels.assign(selection.cloudSize(), UNAVAILABLE);
   result.voronoi_distances.assign(selection.cloudSize(), std::numeric_limits<float>::quiet_NaN());
@@ -248,10 +249,10 @@ PoissonDiskResult reconstructPoissonDisk(const PointRecords& records,
 
 std::vector<Vertices> meshPolygons(const PoissonDiskResult& result)
 {
-  std::vector<Vertices> polygons(result.triangles.size());
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    polygons[i].vertices.assign(result.triangles[i].begin(), result.triangles[i].end());
-  }
+  std::vector<Vertices> polygons(result.triangles.size() + result.segments.size());
+  std::size_t next = 0;
+  for (const auto& triangle : result.triangles) polygons[next++].vertices.assign(triangle.begin(), triangle.end());
+  for (const auto& segment : result.segments) polygons[next++].vertices.assign(segment.begin(), segment.end());
   return polygons;
 }
 

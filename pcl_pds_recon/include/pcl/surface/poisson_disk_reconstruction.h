@@ -55,6 +55,8 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
   using GeodesicSolver = pds::GeodesicSolver;
   /** \brief point or quadric, see setPlacement(). */
   using Placement = pds::Placement;
+  /** \brief curve, surface or automatic, see setDimension(). */
+  using Dimension = pds::Dimension;
 
   /** \brief Constructor. The options' defaults suit a clean, dense scan. */
   PoissonDiskReconstruction();
@@ -163,6 +165,17 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
   /** \brief Get where the vertices of the mesh are. */
   Placement getPlacement() const { return options_.placement; }
 
+  /** \brief Set what the points are taken for ("1D manifold case").
+   * \param[in] dimension Dimension::surface (default): triangles. Dimension::curve: polylines, open or closed, as
+   * polygons of two vertices; what looks like a line at no scale is left out. Dimension::automatic: each connected part
+   * of the cloud is what it looks like, and polygons of two vertices follow the triangles; getReport().curves tells how
+   * many. Unless this is surface, settings that are about triangles must be at their defaults.
+   */
+  void setDimension(Dimension dimension) { options_.dimension = dimension; }
+
+  /** \brief Get what the points are taken for. */
+  Dimension getDimension() const { return options_.dimension; }
+
   /** \brief Set the number of threads. The mesh does not depend on it.
    * \param[in] threads number of worker threads; 0 (default) = all cores
    */
@@ -195,8 +208,8 @@ class PoissonDiskReconstruction : public MeshConstruction<PointInT>
   void reconstruct(pcl::PolygonMesh& output) override;
 
   /** \brief Reconstruct the surface of the points given by setInputCloud and setIndices.
-   * \param[out] polygons the same triangles, in the same order, as of the overload above; they refer to the points of
-   * the whole input cloud
+   * \param[out] polygons the same triangles or polylines, in the same order, as of the overload above; they refer to
+   * the points of the whole input cloud
    */
   void reconstruct(std::vector<pcl::Vertices>& polygons) override;
 

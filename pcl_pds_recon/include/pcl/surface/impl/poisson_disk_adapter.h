@@ -66,6 +66,7 @@ struct PoissonDiskResult
   Indices seeds;                                           ///< mesh vertex -> input index
   Indices all_seeds;                                       ///< the same, then the seeds without a face
   std::vector<std::array<std::uint32_t, 3>> triangles;     ///< of mesh vertices
+  std::vector<std::array<std::uint32_t, 2>> segments;      ///< of curves, of mesh vertices
   std::vector<index_t> voronoi_labels;                     ///< per input point, into all_seeds; UNAVAILABLE: none
   std::vector<float> voronoi_distances;                    ///< per input point; NaN: no label
   Indices witness_points;                                  ///< ascending
@@ -97,10 +98,10 @@ PCL_EXPORTS PoissonDiskResult reconstructPoissonDisk(const PointRecords& records
  */
 PCL_EXPORTS void applyMoves(const PoissonDiskResult& result, const PointRecords& cloud, std::uint8_t* vertices);
 
-/** \brief The triangles of \a result as PCL polygons of mesh vertices. */
+/** \brief The triangles of \a result, then its segments, as PCL polygons of mesh vertices. */
 PCL_EXPORTS std::vector<Vertices> meshPolygons(const PoissonDiskResult& result);
 
-/** \brief The triangles of \a result as PCL polygons of input indices. */
+/** \brief The same as PCL polygons of input indices. */
 PCL_EXPORTS std::vector<Vertices> inputPolygons(const PoissonDiskResult& result);
 
 }  // namespace detail
