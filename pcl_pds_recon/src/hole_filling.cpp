@@ -8,6 +8,7 @@
 #include <limits>
 #include <tuple>
 #include "polygon_triangulation.h"
+#include "refilling.h"
 
 namespace pds
 {
@@ -73,14 +74,6 @@ std::vector<Triangle> fill_in_parts(const TriangleComplex& complex,
   return {};
 }
 
-double area_of(const std::vector<Triangle>& triangles, const std::vector<Vector3d>& position)
-{
-  double sum = 0;
-  for (const Triangle& t : triangles)
-    sum += 0.5 * (position[t[1]] - position[t[0]]).cross(position[t[2]] - position[t[0]]).norm();
-  return sum;
-}
-
 /** \brief The triangles that fill_polygon() adds; empty if there are none. */
 std::vector<Triangle> find_filling(const TriangleComplex& complex,
                                    const BorderingCells& bordering,
@@ -102,28 +95,6 @@ std::size_t fill_loops(TriangleComplex& complex, const BorderingCells& bordering
   for (const auto& [length, i] : order)
     if (fill_polygon(complex, bordering, loops[i], limits) && loops[i].size() > 3) ++filled;
   return filled;
-}
-
-/** \brief The loop through \a start, with the hole on its left; empty if \a start is no boundary vertex or pinched. */
-Polygon loop_through(const TriangleComplex& complex, std::uint32_t start)
-{
-  Polygon loop;
-  std::uint32_t at = start;
-  do {
-    std::uint32_t next = TriangleComplex::no_face;
-    for (const std::uint32_t f : complex.faces_at(at)) {
-      const Triangle t = complex.oriented(f);
-      const std::size_t corner = t[0] == at ? 0 : t[1] == at ? 1 : 2;
-      const std::uint32_t before = t[(corner + 2) % 3];
-      if (complex.other_face(f, before, at) != TriangleComplex::no_face) continue;
-      if (next != TriangleComplex::no_face) return {};
-      next = before;
-    }
-    if (next == TriangleComplex::no_face || loop.size() == most_corners) return {};
-    loop.push_back(at);
-    at = next;
-  } while (at != start);
-  return loop;
 }
 
 /** \brief Fills a hole after taking some faces beside it away; puts them back if that does not help. */
@@ -196,6 +167,16 @@ std::vector<double> component_areas(const TriangleComplex& complex)
   return areas;
 }
 
+/** \brief A rim with fins that fold onto each other has a filling once it is cut back by one row of faces. */
+bool fill_frayed(TriangleComplex& complex,
+                 const BorderingCells& bordering,
+                 const Polygon& loop,
+                 const FillLimits& limits)
+{
+  TriangleComplex trial = complex;
+  return refill_around(trial, loop, bordering, limits) && refill_around(complex, loop, bordering, limits);
+}
+
 }  // namespace
 
 std::vector<Polygon> boundary_loops(const TriangleComplex& complex)
@@ -220,6 +201,27 @@ std::vector<Polygon> boundary_loops(const TriangleComplex& complex)
     loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+Polygon loop_through(const TriangleComplex& complex, std::uint32_t start)
+{
+  Polygon loop;
+  std::uint32_t at = start;
+  do {
+    std::uint32_t next = TriangleComplex::no_face;
+    for (const std::uint32_t f : complex.faces_at(at)) {
+      const Triangle t = complex.oriented(f);
+      const std::size_t corner = t[0] == at ? 0 : t[1] == at ? 1 : 2;
+      const std::uint32_t before = t[(corner + 2) % 3];
+      if (complex.other_face(f, before, at) != TriangleComplex::no_face) continue;
+      if (next != TriangleComplex::no_face) return {};
+      next = before;
+    }
+    if (next == TriangleComplex::no_face || loop.size() == most_corners) return {};
+    loop.push_back(at);
+    at = next;
+  } while (at != start);
+  return loop;
 }
 
 bool BorderingCells::operator()(std::uint32_t s, std::uint32_t t) const
@@ -284,7 +286,9 @@ std::size_t fill_gaps(TriangleComplex& complex,
   for (const Polygon& loop : boundary_loops(complex)) {
     if (loop.size() > most_corners || loop_through(complex, loop.front()) != loop) continue;
     of_gaps.area = std::min(pi * radius * radius, gap_share * component_area[loop.front()]);
-    if (fill_polygon(complex, bordering, loop, of_gaps) || mend_hole(complex, bordering, loop, of_gaps)) ++filled;
+    if (fill_polygon(complex, bordering, loop, of_gaps) || mend_hole(complex, bordering, loop, of_gaps) ||
+        fill_frayed(complex, bordering, loop, of_gaps))
+      ++filled;
   }
   clean_mesh(complex, seeds);
   return filled;

@@ -130,4 +130,12 @@ std::vector<Triangle> triangulate(const TriangleComplex& complex,
   return triangulation.exists() ? triangulation.triangles() : std::vector<Triangle>{};
 }
 
+double area_of(const std::vector<Triangle>& triangles, const std::vector<Vector3d>& position)
+{
+  double sum = 0;
+  for (const Triangle& t : triangles)
+    sum += 0.5 * (position[t[1]] - position[t[0]]).cross(position[t[2]] - position[t[0]]).norm();
+  return sum;
+}
+
 }  // namespace pds

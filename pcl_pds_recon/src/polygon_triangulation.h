@@ -17,4 +17,7 @@ namespace pds
                                                 const Polygon& polygon,
                                                 const FillLimits& limits);
 
+/** \brief Area of all triangles together. */
+[[nodiscard]] double area_of(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& position);
+
 }  // namespace pds

@@ -2,6 +2,7 @@
 #include <pcl_pds_recon/certificate.h>
 #include <pcl_pds_recon/edge_flips.h>
 #include <pcl_pds_recon/geodesic_voronoi.h>
+#include <pcl_pds_recon/handle_removal.h>
 #include <pcl_pds_recon/hole_filling.h>
 #include <pcl_pds_recon/orientation.h>
 #include <pcl_pds_recon/outward_normals.h>
@@ -131,8 +132,10 @@ class Run
     limits.perimeter = options_.hole_size;
     const BorderingCells bordering(dual.voronoi.pairs);
     dual.filled_holes = fill_holes(complex, dual.seeds, bordering, faces.polygons, limits);
-    if (found_.points.smoothed && limits.perimeter > 0)
+    if (found_.points.smoothed && limits.perimeter > 0) {
       dual.filled_holes += fill_gaps(complex, dual.seeds, bordering, limits);
+      remove_small_handles(complex, bordering, limits);
+    }
 
     clock_.start("orientation", 0.95, report_.seconds.orientation);
     dual.triangles = orient_faces(complex, cues_for(cloud_, found_.points, sampling));

@@ -38,6 +38,10 @@ class BorderingCells
  * Every vertex must have a single fan. */
 [[nodiscard]] std::vector<Polygon> boundary_loops(const TriangleComplex& complex);
 
+/** \brief The loop through \a start, with the hole on its left; empty if \a start is no boundary vertex or pinched, or
+ * the loop longer than a polygon that can be filled. */
+[[nodiscard]] Polygon loop_through(const TriangleComplex& complex, std::uint32_t start);
+
 /** \brief Triangulates one polygon by the constrained Delaunay rule: of all triangulations whose chords are new and
  * that fold nowhere, the one with the least sum of squared circumradii. O(n^3) for n corners.
  *

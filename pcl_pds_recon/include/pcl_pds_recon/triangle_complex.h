@@ -114,6 +114,9 @@ class TriangleComplex
    * \return the number of faces removed */
   std::size_t remove_pinches();
 
+  /** \brief True if the vertex has several fans. */
+  [[nodiscard]] bool is_pinched(std::uint32_t vertex) const;
+
   /** \brief Forgets the orientation constraints of faces that were removed since. */
   void rebuild_orientation();
 
@@ -200,7 +203,6 @@ class TriangleComplex
   [[nodiscard]] bool orientable_with(const Triangle& t, const ThreeFaces& across) const;
   [[nodiscard]] std::size_t count_faces_at(std::uint32_t vertex) const;
   [[nodiscard]] bool fan_closes(std::uint32_t vertex, std::uint32_t first) const;
-  [[nodiscard]] bool is_pinched(std::uint32_t vertex) const;
   [[nodiscard]] std::vector<std::uint8_t> find_pinched() const;
   void find_neighbors(double smallest_angle);
   void remove_misfits();
