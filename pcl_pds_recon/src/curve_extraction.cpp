@@ -84,13 +84,12 @@ class Links
 
 }  // namespace
 
-std::vector<Curve> extract_curves(const std::vector<SeedPair>& pairs, std::size_t seeds, double radius)
+std::vector<Curve> extract_curves(const std::vector<SeedPair>& pairs, std::size_t seeds)
 {
   const Adjacency adjacent = adjacency_of(pairs, seeds);
-  const auto longest = static_cast<float>(2 * disk_reach * radius);
   std::vector<SeedPair> direct;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(direct),
-               [&](const SeedPair& p) { return p.path <= longest && !is_shortcut(p, adjacent); });
+               [&](const SeedPair& p) { return !is_shortcut(p, adjacent); });
   std::sort(direct.begin(), direct.end(), [](const SeedPair& p, const SeedPair& q) {
     return std::tie(p.path, p.a, p.b) < std::tie(q.path, q.a, q.b);
   });

@@ -88,7 +88,7 @@ class CurveRun
     clock_.start("voronoi", 0.7, report_.seconds.voronoi);
     voronoi_ = build_geodesic_voronoi(points_, graph_, EdgeWeights(), sampling_, options_.voronoi_threshold, parallel_);
     clock_.start("seed_graph", 0.9, report_.seconds.seed_graph);
-    curves_ = extract_curves(voronoi_.pairs, sampling_.seeds.size(), sampling_.radius);
+    curves_ = extract_curves(voronoi_.pairs, sampling_.seeds.size());
   }
 
   Reconstruction describe()

@@ -4,8 +4,10 @@
 #include <pcl_pds_recon/curve_shape.h>
 #include <pcl_pds_recon/neighbor_graph.h>
 #include <pcl_pds_recon/ordered_points.h>
+#include <pcl_pds_recon/outliers.h>
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <utility>
 #include "curve_reconstruction.h"
 #include "run_report.h"
@@ -31,15 +33,26 @@ struct Parts
 Parts tell_apart(const PointCloudView& cloud, const Options& options)
 {
   const Parallel parallel(options.threads);
-  const OrderedPoints points = order_points(cloud, parallel);
-  const NeighborGraph graph = build_neighbor_graph(points, cloud, options.k_neighbors, parallel);
+  OrderedPoints points = order_points(cloud, parallel);
+  NeighborGraph graph = build_neighbor_graph(points, cloud, options.k_neighbors, parallel);
+  // Strays join what is apart. They stay with the surfaces, which leave them out.
+  if (const std::vector<std::uint8_t> stray = find_outliers(points, graph, parallel); !stray.empty()) {
+    points = without_outliers(std::move(points), stray, parallel);
+    graph = build_neighbor_graph(points, cloud, options.k_neighbors, parallel);
+  }
   const PointComponents components = find_components(graph);
   const std::vector<LineScale> scales = find_line_scales(points, graph, components, curve_limits, parallel);
+  const auto on_curve = [&](std::uint32_t rank) {
+    return rank != no_rank && scales[components.component[rank]].radius > 0;
+  };
   Parts parts;
-  for (std::uint32_t i = 0; i < cloud.size; ++i) {
-    const std::uint32_t rank = points.rank_of_input[i];
-    const bool on_curve = rank != no_rank && scales[components.component[rank]].radius > 0;
-    (on_curve ? parts.curves : parts.surfaces).push_back(i);
+  for (std::uint32_t i = 0; i < cloud.size; ++i)
+    (on_curve(points.rank_of_input[i]) ? parts.curves : parts.surfaces).push_back(i);
+  const bool all_on_curves = std::all_of(scales.begin(), scales.end(), [](const LineScale& s) { return s.radius > 0; });
+  if (all_on_curves && !scales.empty()) {
+    parts.curves.resize(cloud.size);
+    std::iota(parts.curves.begin(), parts.curves.end(), 0U);
+    parts.surfaces.clear();
   }
   return parts;
 }

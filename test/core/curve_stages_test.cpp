@@ -12,15 +12,12 @@ namespace
 
 using Seeds = std::vector<std::uint32_t>;
 
-/** \brief With disks of radius 1. */
-std::vector<pds::Curve> extract(const std::vector<pds::SeedPair>& pairs, std::size_t seeds)
-{
-  return pds::extract_curves(pairs, seeds, 1.0);
-}
+using pds::extract_curves;
 
 TEST(CurveExtraction, ChainsAreOpenAndRingsClosed)
 {
-  const auto curves = extract({{0, 1, 0, 1.5F}, {1, 4, 0, 1.5F}, {2, 3, 0, 1.5F}, {2, 5, 0, 1.5F}, {3, 5, 0, 1.5F}}, 7);
+  const auto curves =
+      extract_curves({{0, 1, 0, 1.5F}, {1, 4, 0, 1.5F}, {2, 3, 0, 1.5F}, {2, 5, 0, 1.5F}, {3, 5, 0, 1.5F}}, 7);
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(curves[0].seeds, (Seeds{0, 1, 4}));
   EXPECT_FALSE(curves[0].closed);
@@ -31,7 +28,7 @@ TEST(CurveExtraction, ChainsAreOpenAndRingsClosed)
 TEST(CurveExtraction, AWayOverAThirdSeedIsNoEdge)
 {
   // A ring of five, with a shortcut over seed 1.
-  const auto curves = extract(
+  const auto curves = extract_curves(
       {{0, 1, 0, 1.1F}, {1, 2, 0, 1.1F}, {0, 2, 0, 2.2F}, {2, 3, 0, 2.3F}, {3, 4, 0, 2.3F}, {0, 4, 0, 2.3F}}, 5);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(curves[0].seeds, (Seeds{0, 1, 2, 3, 4}));
@@ -41,15 +38,9 @@ TEST(CurveExtraction, AWayOverAThirdSeedIsNoEdge)
 TEST(CurveExtraction, NothingBranches)
 {
   // Three arms that meet in seed 0: the two nearest stay.
-  const auto curves = extract({{0, 1, 0, 1.3F}, {0, 2, 0, 1.1F}, {0, 3, 0, 1.2F}}, 4);
+  const auto curves = extract_curves({{0, 1, 0, 1.3F}, {0, 2, 0, 1.1F}, {0, 3, 0, 1.2F}}, 4);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(curves[0].seeds, (Seeds{2, 0, 3}));
-}
-
-TEST(CurveExtraction, NoEdgeIsLongerThanTwoDisksReach)
-{
-  EXPECT_EQ(extract({{0, 1, 0, 2.49F}}, 2).size(), 1U);
-  EXPECT_TRUE(extract({{0, 1, 0, 2.51F}}, 2).empty());
 }
 
 TEST(PointComponents, AreTheConnectedPartsOfTheCloud)

@@ -221,6 +221,28 @@ TEST(Curves, RingsAsSmallAsThreeDisksAreClosed)
   }
 }
 
+TEST(Curves, StraysAreLeftOut)
+{
+  for (const double deviation : {0.0, 0.001}) {
+    Points points = circle().sample(20000, deviation);
+    Random random(5);
+    for (int i = 0; i < 1000; ++i) points.push_back(random.in_box(1.2));
+    const pds::Reconstruction result = reconstruct_curves(points);
+    expect_sound_curves(result, points);
+    EXPECT_EQ(result.report.curves, 1U);
+    EXPECT_EQ(result.report.closed_curves, 1U);
+    EXPECT_GE(result.report.outliers, 990U);
+    for (const Eigen::Vector3d& v : vertex_positions(result, points)) EXPECT_LT(circle().distance(v), 0.01);
+  }
+}
+
+TEST(Curves, RandomGapsDoNotOpenThem)
+{
+  // Two seeds are up to 2 R apart and the widest gap of points besides.
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    EXPECT_EQ(reconstruct_curves(circle().sample(10000, 0, seed)).report.closed_curves, 1U) << seed;
+}
+
 TEST(Curves, PointsThatAreNoCurveAreLeftOut)
 {
   Points points = circle().sample(5000, 0);

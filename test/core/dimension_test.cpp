@@ -98,6 +98,17 @@ TEST_F(Mixed, DoesNotDependOnThreadsOrOrder)
   EXPECT_EQ(third.segments, one.segments);
 }
 
+TEST_F(Mixed, StraysJoinNothing)
+{
+  Random random(5);
+  for (int i = 0; i < 300; ++i) points.push_back(random.in_box(3.5));
+  const pds::Reconstruction result = reconstruct(points, options_of(pds::Dimension::automatic));
+  EXPECT_EQ(result.report.curves, 1U);
+  EXPECT_EQ(result.report.closed_curves, 1U);
+  EXPECT_TRUE(result.report.closed);
+  EXPECT_EQ(result.report.components, 2U);
+}
+
 TEST(Automatic, SurfacesAreMeshedAsEver)
 {
   for (const Points& points : {sphere(10000), torus(10000), plane(10000), cube(10000), saddle(10000), swiss_roll(10000),

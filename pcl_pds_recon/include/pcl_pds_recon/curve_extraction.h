@@ -19,11 +19,10 @@ struct Curve
 /** \brief Finds the curves that the Voronoi dual consists of (paper, section "1D manifold case").
  *
  * Two seeds are adjacent where their cells border. A pair is passed over if the way between its seeds leads by a third
- * one, or is longer than overlapping disks can give; of the others those with the shortest ways count, two at each
- * seed. So whatever the pairs are, nothing branches. A closed curve has three seeds or more. O(pairs).
- * \param radius of the disks, in the unit of the paths
- * \return open curves, then closed ones, each from its lower end or its lowest seed on
+ * one; of the others those with the shortest ways count, two at each seed. So whatever the pairs are, nothing branches.
+ * A closed curve has three seeds or more. O(pairs). \return open curves, then closed ones, each from its lower end or
+ * its lowest seed on
  */
-[[nodiscard]] std::vector<Curve> extract_curves(const std::vector<SeedPair>& pairs, std::size_t seeds, double radius);
+[[nodiscard]] std::vector<Curve> extract_curves(const std::vector<SeedPair>& pairs, std::size_t seeds);
 
 }  // namespace pds
