@@ -48,6 +48,25 @@ def screened_poisson(cell, extent):
                                 ("RichBool", "preClean", "false"))
 
 
+def edge_collapse(faces):
+    """For meshes; vertices that coincide are merged first."""
+    return (_filter("Remove Duplicate Vertices") +
+            _filter("Simplification: Quadric Edge Collapse Decimation",
+                    ("RichInt", "TargetFaceNum", faces),
+                    ("RichFloat", "TargetPerc", 0),
+                    ("RichFloat", "QualityThr", 0.3),
+                    ("RichBool", "PreserveBoundary", "false"),
+                    ("RichFloat", "BoundaryWeight", 1),
+                    ("RichBool", "PreserveNormal", "false"),
+                    ("RichBool", "PreserveTopology", "false"),
+                    ("RichBool", "OptimalPlacement", "true"),
+                    ("RichBool", "PlanarQuadric", "false"),
+                    ("RichFloat", "PlanarWeight", 0.001),
+                    ("RichBool", "QualityWeight", "false"),
+                    ("RichBool", "AutoClean", "true"),
+                    ("RichBool", "Selected", "false")))
+
+
 def count_vertices(ply_file):
     with open(ply_file, "rb") as lines:
         for line in lines:
