@@ -27,7 +27,7 @@ struct Stages
     graph = build_neighbor_graph(points, cloud, options.k_neighbors, all_cores);
     surface = estimate_surface(points, graph, all_cores);
     weights = curvature_weights(surface, graph, options.adaptive, {options.radius_factor, true}, all_cores);
-    ranks = feature_ranks(surface, graph, all_cores);
+    ranks = feature_ranks(points, surface, graph, all_cores);
     const double radius = options.radius_factor * mean_weighted_interval(points, graph, weights, all_cores);
     sampling = sample_poisson_disks(points, graph, surface, weights, ranks, radius, solver, 0, all_cores);
     voronoi = build_geodesic_voronoi(points, graph, weights, sampling, options.voronoi_threshold, all_cores);

@@ -14,10 +14,10 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr int rounds = 2;  // a flip makes others possible; a third round would gain a fifteenth of the first two
+constexpr int rounds = 3;  // a flip makes others possible; a fourth round would gain little
 
 constexpr double least_gain = 0.0005;    // squared radii: what the mean square of the points' distances must fall by
-constexpr double angle_price = 0.005;    // likewise, for each unit that the cosine of the smallest angle grows by
+constexpr double angle_price = 0.003;    // likewise, for each unit that the cosine of the smallest angle grows by
 constexpr double largest_rest = 0.8;     // of the squared distances: what falls less may be chance
 constexpr double largest_cosine = 0.94;  // of the smallest angle: 20 degrees
 constexpr double fold_cosine = -0.5;     // of the normals of two faces that enclose 60 degrees

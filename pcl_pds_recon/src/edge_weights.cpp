@@ -49,6 +49,18 @@ Field smoothed(const PointArray<float>& field, int rounds, const NeighborGraph& 
   return smooth;
 }
 
+/** \brief Distance of a point from the mean of its own neighbours along its normal. */
+float height_above_neighbors(std::size_t point,
+                             const OrderedPoints& points,
+                             const SurfaceEstimate& surface,
+                             const NeighborGraph& graph)
+{
+  const NeighborSpan nearest = graph.nearest(point);
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (const std::uint32_t j : nearest) sum += points.position[j] - points.position[point];
+  return std::abs(sum.dot(surface.normal[point])) / static_cast<float>(nearest.size());
+}
+
 /** \brief The greatest weight that leaves disks of smallest_disk intervals, at least 1.
  *
  * If the radius goes with the mean weight, lowering the bound lowers that mean; the fixed point is found by iteration,
@@ -85,17 +97,27 @@ SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGrap
   return surface;
 }
 
-std::vector<std::uint8_t> feature_ranks(const SurfaceEstimate& surface,
+std::vector<std::uint8_t> feature_ranks(const OrderedPoints& points,
+                                        const SurfaceEstimate& surface,
                                         const NeighborGraph& graph,
                                         const Parallel& parallel)
 {
-  constexpr float highest = 15.0F;
+  constexpr float bent = 0.04F;  // curvature: 12 degrees within the neighbourhood
+  constexpr float highest_flat = 15.0F;
+  constexpr float lowest_bent = 16.0F;
+  constexpr float highest = 255.0F;
+  constexpr float ranks_per_interval = 240.0F;  // a right angle's edge is 0.45 intervals above the mean, its corner 0.7
   const Field curvature = smoothed(surface.curvature, feature_smoothing, graph, parallel);
   const auto step = static_cast<float>(0.5 * curvature.mean);
+  const auto scale = static_cast<float>(ranks_per_interval / graph.sampling_interval);
   std::vector<std::uint8_t> ranks(curvature.value.size());
   if (step > 0)
     parallel.each(ranks.size(), block, [&](std::size_t i) {
-      ranks[i] = static_cast<std::uint8_t>(std::min(curvature.value[i] / step, highest));
+      const float rank =
+          surface.curvature[i] < bent
+              ? std::min(curvature.value[i] / step, highest_flat)
+              : std::min(lowest_bent + scale * height_above_neighbors(i, points, surface, graph), highest);
+      ranks[i] = static_cast<std::uint8_t>(rank);
     });
   return ranks;
 }

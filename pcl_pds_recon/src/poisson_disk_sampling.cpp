@@ -234,14 +234,16 @@ class DartThrower
     for (const Dart& dart : darts_) place_seed(dart.point, grow(dart.point));
   }
 
-  /** \param coverage in radii: points are darts that are farther from all seeds */
-  void throw_darts(std::size_t cell, double coverage)
+  /** \param coverage in radii: points are darts that are farther from all seeds
+   * \param least_rank and of this feature rank or a higher one */
+  void throw_darts(std::size_t cell, double coverage, std::uint8_t least_rank)
   {
     const float covered = static_cast<float>(coverage) * radius_;
     darts_.clear();
     for (const BlockRun* run = schedule_.runs_begin(cell); run != schedule_.runs_end(cell); ++run)
       for (std::uint32_t point = run->points.begin; point < run->points.end; ++point)
-        if (!nearest_[point].covered(covered)) darts_.push_back({turn_of(point), point});
+        if (feature_rank_[point] >= least_rank && !nearest_[point].covered(covered))
+          darts_.push_back({turn_of(point), point});
     if (darts_.empty()) return;
     std::sort(darts_.begin(), darts_.end());
     enter(cell);
@@ -271,9 +273,9 @@ class DartThrower
 
   [[nodiscard]] std::uint64_t turn_of(std::uint32_t point) const
   {
-    constexpr int rank_bits = 4;
+    constexpr int rank_bits = 8;
     const std::uint64_t lot = hash_position(points_.position[point], seed_) >> rank_bits;
-    return std::uint64_t{15U - feature_rank_[point]} << (64 - rank_bits) | lot;
+    return std::uint64_t{255U - feature_rank_[point]} << (64 - rank_bits) | lot;
   }
 
   /** \brief A dart becomes a seed, unless its own disk shows that an earlier seed is within the radius after all. */
@@ -354,7 +356,8 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
     };
     if (!given.ranks.empty())
       each_cell([&](DartThrower& thrower, std::size_t cell) { thrower.place_given(cell, given.ranks); });
-    each_cell([&](DartThrower& thrower, std::size_t cell) { thrower.throw_darts(cell, given.coverage); });
+    for (const std::uint8_t least_rank : {crease_rank, std::uint8_t{0}})
+      each_cell([&](DartThrower& thrower, std::size_t cell) { thrower.throw_darts(cell, given.coverage, least_rank); });
   }
   number_seeds(sampling, parallel);
   return sampling;

@@ -90,7 +90,7 @@ class Run
     surface_ = estimate_surface(found_.points, found_.graph, parallel_);
     metric_ = choose_metric(found_, surface_, options_, parallel_, report_);
     features_ = found_.points.smoothed ? middle_ranks(cloud_, found_.points, parallel_)
-                                       : feature_ranks(surface_, found_.graph, parallel_);
+                                       : feature_ranks(found_.points, surface_, found_.graph, parallel_);
   }
 
   /** \brief Steps 2 to 5: seeds and their disks, finest level first. The seeds of a level are among those of the finer

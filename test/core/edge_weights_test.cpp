@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
+#include <array>
 
 #include "core_testing.h"
 #include "plane_kernel.h"
@@ -133,6 +134,49 @@ TEST(SurfaceEstimate, IsTheSameForEveryInstructionSet)
     EXPECT_EQ(surface.normal, expected.normal);
     EXPECT_EQ(surface.curvature, expected.curvature);
     EXPECT_EQ(surface.inside, expected.inside);
+  }
+}
+
+TEST(FeatureRanks, RiseTowardsEdgesAndCorners)
+{
+  const Points points = cube(50000);
+  const Stages stages(points);
+  const std::vector<std::uint8_t> ranks =
+      pds::feature_ranks(stages.points, stages.surface, stages.graph, stages.parallel);
+  const double interval = stages.graph.sampling_interval * stages.points.unit;
+  enum Place
+  {
+    flat,
+    beside_edge,
+    on_edge,
+    at_corner,
+    places
+  };
+  std::array<double, places> sum{};
+  std::array<int, places> count{};
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    // Distances to the three nearest sides of the cube; a point is on one of them.
+    Eigen::Array3d gap = (1 - points[stages.points.input_index[i]].array().abs()) / interval;
+    std::sort(gap.data(), gap.data() + 3);
+    const Place place = gap[1] > 3 ? flat : gap[1] > 0.5 ? beside_edge : gap[2] > 0.5 ? on_edge : at_corner;
+    sum[place] += ranks[i];
+    ++count[place];
+    if (place == flat) {
+      EXPECT_LT(ranks[i], pds::crease_rank);
+    }
+  }
+  for (int place = flat; place < at_corner; ++place)
+    EXPECT_LT(1.5 * sum[place] / count[place], sum[place + 1] / count[place + 1]);
+  EXPECT_GT(sum[on_edge] / count[on_edge], pds::crease_rank);
+}
+
+TEST(FeatureRanks, FindNoCreasesOnSmoothShapes)
+{
+  for (const Points& points : {sphere(20000), torus(20000)}) {
+    const Stages stages(points);
+    const std::vector<std::uint8_t> ranks =
+        pds::feature_ranks(stages.points, stages.surface, stages.graph, stages.parallel);
+    EXPECT_LT(*std::max_element(ranks.begin(), ranks.end()), pds::crease_rank);
   }
 }
 

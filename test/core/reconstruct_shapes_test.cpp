@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <functional>
+#include <iostream>
+#include <utility>
 
 #include "core_testing.h"
+#include "crease_cover.h"
 
 /** \brief Whole runs on shapes whose topology and area are known, for the parameters that the project promises. */
 namespace pds_test
@@ -93,6 +96,28 @@ TEST_P(ClosedShape, IsClosedOutwardAndOfTheRightGenus)
       SCOPED_TRACE(std::to_string(count) + " points, adaptive " + std::to_string(adaptive));
       expect_right(count, adaptive);
     }
+}
+
+TEST(SharpShapes, HaveEdgesOfTheMeshAlongTheirEdges)
+{
+  constexpr double least_turn = 20;  // degrees: half of an edge's 90 if vertices lie on either side of it, less some
+  Creases edges;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double u : {-1.0, 1.0})
+      for (const double v : {-1.0, 1.0}) {
+        Eigen::Vector3d from(u, v, -1);
+        Eigen::Vector3d to(u, v, 1);
+        std::swap(from[axis], from[2]);
+        std::swap(to[axis], to[2]);
+        edges.from.push_back(from);
+        edges.to.push_back(to);
+      }
+  const Points points = cube(large_cloud);
+  const pds::Reconstruction mesh = reconstruct(points);
+  const Creases creases = find_creases(mesh.triangles, vertex_positions(mesh, points), least_turn);
+  const double share = covered_share(edges, creases, mesh.report.radius / 4);
+  EXPECT_GE(share, 0.9);
+  std::cout << share << " of the edges\n";
 }
 
 TEST_P(ClosedShape, IsSoundForEveryFactorAndK)

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core_testing.h"
+#include "crease_cover.h"
 #include "io/ply_header.h"
 #include "io/read_points.h"
 
@@ -135,25 +136,38 @@ TEST_P(Terrain, IsOneSheetWithoutBridges)
  */
 [[gnu::noinline]] Eigen::Vector3f in_single_precision(const Eigen::Vector3d& p) { return p.cast<float>(); }
 
-/** \brief Random points, spread evenly by area, of a triangle mesh in a binary PLY file. */
-Points sample_mesh(const std::string& file, std::size_t count)
+struct Mesh
+{
+  Points corners;
+  Triangles triangles;
+};
+
+/** \brief A plain triangle mesh in a binary PLY file. */
+Mesh read_mesh(const std::string& file)
 {
   std::ifstream stream(path_of(file), std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   const pds::PlyHeader header = pds::parse_ply_header(bytes);
-  const Scan corners(file);
+  Mesh mesh;
+  mesh.corners = Scan(file).points;
   constexpr std::size_t vertex_bytes = 3 * sizeof(float);
   constexpr std::size_t face_bytes = 1 + 3 * sizeof(std::uint32_t);
   const std::size_t faces = header.elements.at(1).count;
-  const std::size_t begin = header.bytes + corners.points.size() * vertex_bytes;
+  const std::size_t begin = header.bytes + mesh.corners.size() * vertex_bytes;
   if (bytes.size() != begin + faces * face_bytes) throw std::runtime_error(file + " is not a plain triangle mesh");
+  mesh.triangles.resize(faces);
+  for (std::size_t f = 0; f < faces; ++f)
+    std::memcpy(mesh.triangles[f].data(), bytes.data() + begin + f * face_bytes + 1, face_bytes - 1);
+  return mesh;
+}
 
-  std::vector<std::array<std::uint32_t, 3>> triangles(faces);
+/** \brief Random points of a mesh, spread evenly by area. */
+Points sample_mesh(const Mesh& mesh, std::size_t count)
+{
   std::vector<double> area_up_to;
   double area = 0;
-  for (std::size_t f = 0; f < faces; ++f) {
-    std::memcpy(triangles[f].data(), bytes.data() + begin + f * face_bytes + 1, face_bytes - 1);
-    const auto corner = [&](std::size_t c) { return corners.points.at(triangles[f][c]); };
+  for (const auto& t : mesh.triangles) {
+    const auto corner = [&](std::size_t c) { return mesh.corners.at(t[c]); };
     area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
     area_up_to.push_back(area);
   }
@@ -162,11 +176,11 @@ Points sample_mesh(const std::string& file, std::size_t count)
   while (points.size() < count) {
     const auto place = std::upper_bound(area_up_to.begin(), area_up_to.end(), random.uniform(0, area));
     if (place == area_up_to.end()) continue;
-    const auto& t = triangles[static_cast<std::size_t>(place - area_up_to.begin())];
+    const auto& t = mesh.triangles[static_cast<std::size_t>(place - area_up_to.begin())];
     const double root = std::sqrt(random.uniform());
     const double along = random.uniform();
-    const Eigen::Vector3d p = (1 - root) * corners.points[t[0]] + root * (1 - along) * corners.points[t[1]] +
-                              root * along * corners.points[t[2]];
+    const Eigen::Vector3d p =
+        (1 - root) * mesh.corners[t[0]] + root * (1 - along) * mesh.corners[t[1]] + root * along * mesh.corners[t[2]];
     points.push_back(in_single_precision(p).cast<double>());
   }
   return points;
@@ -199,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(Files,
 TEST_P(SampledModel, IsClosedAndOfTheRightGenus)
 {
   SKIP_IF_ABSENT(GetParam().file);
-  const Points points = sample_mesh(GetParam().file, GetParam().points);
+  const Points points = sample_mesh(read_mesh(GetParam().file), GetParam().points);
   for (const double coefficient : {0.0, 0.25})
     expect_closed(run(view_of(points), points, adaptive(coefficient)).mesh, points, GetParam().genus);
 }
@@ -243,6 +257,21 @@ TEST(RawScansAsTheyAre, HoldNoCurves)
     EXPECT_EQ(told.report.curves, 0U) << name;
     EXPECT_EQ(told.triangles, known.triangles) << name;
   }
+}
+
+TEST(Fandisk, HasEdgesOfTheMeshAlongItsCreases)
+{
+  SKIP_IF_ABSENT("fandisk_large.ply");
+  constexpr double sharp = 30;       // degrees between faces of the model
+  constexpr double least_turn = 10;  // of the mesh: its faces share the turn where they lie beside a crease
+  const Mesh model = read_mesh("fandisk_large.ply");
+  const Points points = sample_mesh(model, 300000);
+  const pds::Reconstruction mesh = pds::reconstruct(view_of(points), {});
+  const double share =
+      covered_share(find_creases(model.triangles, model.corners, sharp),
+                    find_creases(mesh.triangles, vertex_positions(mesh, points), least_turn), mesh.report.radius / 4);
+  std::cout << share << " of the creases are within a quarter of a radius of edges\n";
+  EXPECT_GE(share, 0.8);
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ struct GivenSeeds
  * order of descending feature rank, drawn among equals by hashing their coordinates: the result depends on nothing
  * else.
  *
- * \param feature_rank per point, 0 ... 15: points of higher rank are tried first
+ * \param feature_rank per point: those of at least crease_rank are tried before all others, and points of a higher rank
+ * before others of their cell
  * \param radius in units of position
  * \param seed picks the order
  * \param given seeds before the first dart
