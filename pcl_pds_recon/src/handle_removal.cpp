@@ -17,7 +17,8 @@ namespace
 
 constexpr std::size_t longest_loop =
     6;  // edges; a handle or tunnel of two radii across, twice the noise that is mended
-constexpr std::size_t roots_of_loop = 4;  // where shorter loops than one are looked for
+constexpr std::size_t longest_first = 24;  // found far from its root, a loop is up to four times as long as need be
+constexpr std::size_t roots_of_loop = 4;   // where shorter loops than one are looked for
 constexpr std::uint32_t none = TriangleComplex::no_face;
 
 /** \brief The edges of a complex, and loops along them that do not divide it. Each hole counts as a face. */
@@ -173,6 +174,7 @@ bool remove_handle(TriangleComplex& complex, const BorderingCells& bordering, co
   const LoopFinder finder(complex);
   const std::vector<Polygon> all = handle_loops(complex, finder);
   for (const Polygon& first : all) {
+    if (first.size() > longest_first) break;
     const Polygon loop = shortened(finder, first);
     if (loop.size() > longest_loop) continue;
     TriangleComplex trial = complex;
