@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "plane_kernel.h"
 
@@ -147,19 +146,21 @@ double mean_weighted_interval(const OrderedPoints& points,
                               const Parallel& parallel)
 {
   if (weights.uniform()) return graph.sampling_interval;
-  std::vector<std::size_t> counts((graph.size() + block - 1) / block);
+  const auto count = static_cast<double>(parallel.sum(graph.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::size_t part = 0;
+    for (std::size_t i = begin; i < end; ++i) part += graph.nearest(i).size();
+    return part;
+  }));
   const double sum = parallel.sum(graph.size(), block, [&](std::size_t begin, std::size_t end) {
     double part = 0;
     for (std::size_t i = begin; i < end; ++i)
       for (const std::uint32_t j : graph.nearest(i)) {
         const float length = (points.position[i] - points.position[j]).norm();
         part += static_cast<double>(length * 0.5F * (weights.at(i) + weights.at(j)));
-        ++counts[begin / block];
       }
     return part;
   });
-  const std::size_t count = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  return count > 0 ? sum / count : 0.0;
 }
 
 }  // namespace pds

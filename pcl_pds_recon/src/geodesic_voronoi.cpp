@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 #include "bucket_sort.h"
+#include "parallel_parts.h"
 #include "seed_evidence.h"
 
 namespace pds
@@ -223,6 +224,14 @@ class CellSurvey
   std::vector<Meeting> meetings_;         ///< of one point
 };
 
+/** \brief One worker's cell and what it has seen so far, away from the cache lines of other workers. */
+struct alignas(cache_line) Surveyor
+{
+  std::optional<CellSurvey> cell;
+  PointArray<SeedPair> pairs;
+  PointArray<SeedTriple> triples;
+};
+
 }  // namespace
 
 GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
@@ -237,31 +246,37 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   voronoi.witness.resize(sampling.nearest.size());
 
   const WitnessRule is_witness(sampling, threshold);
-  std::vector<PointArray<SeedPair>> pairs(parallel.threads());
-  std::vector<PointArray<SeedTriple>> triples(parallel.threads());
-  // Room for all that one worker may find: what is not used takes no memory, and growing would take it twice.
-  constexpr std::size_t per_cell = 8;  // neighbours, and corners; six are usual
-  for (auto& list : pairs) list.reserve(per_cell * sampling.seeds.size());
-  for (auto& list : triples) list.reserve(per_cell * sampling.seeds.size());
-  std::vector<std::optional<CellSurvey>> survey_of_worker(parallel.threads());
+  std::vector<Surveyor> surveyors(parallel.threads());
+  for (Surveyor& surveyor : surveyors) {
+    // Room for all that one worker may find: what is not used takes no memory, and growing would take it twice.
+    constexpr std::size_t per_cell = 8;  // neighbours, and corners; six are usual
+    surveyor.pairs.reserve(per_cell * sampling.seeds.size());
+    surveyor.triples.reserve(per_cell * sampling.seeds.size());
+  }
   parallel.blocks(sampling.seeds.size(), cells_per_block, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    std::optional<CellSurvey>& cell = survey_of_worker[worker];
-    if (!cell) cell.emplace(points, graph, weights, sampling, label, is_witness);
+    Surveyor& surveyor = surveyors[worker];
+    if (!surveyor.cell) surveyor.cell.emplace(points, graph, weights, sampling, label, is_witness);
     for (std::size_t s = begin; s < end; ++s) {
       std::uint32_t* const first = voronoi.cell_point.data() + voronoi.cell_begin[s];
       std::uint32_t* const last = voronoi.cell_point.data() + voronoi.cell_begin[s + 1];
       if (!std::is_sorted(first, last)) std::sort(first, last);
-      cell->survey(static_cast<std::uint32_t>(s), first, last, voronoi.witness.data());
-      cell->append_to(pairs[worker], triples[worker]);
+      surveyor.cell->survey(static_cast<std::uint32_t>(s), first, last, voronoi.witness.data());
+      surveyor.cell->append_to(surveyor.pairs, surveyor.triples);
     }
   });
+  std::vector<PointArray<SeedPair>> pairs;
+  std::vector<PointArray<SeedTriple>> triples;
+  for (Surveyor& surveyor : surveyors) {
+    pairs.push_back(std::move(surveyor.pairs));
+    triples.push_back(std::move(surveyor.triples));
+  }
+  surveyors.clear();
 
   // Evidence for edges that no two overlapping disks could give leaps a gap in the points.
   const auto limit2 = static_cast<float>(longest_dual_edge * longest_dual_edge * sampling.radius * sampling.radius);
   const auto near = [&](std::uint32_t s, std::uint32_t t) {
     return (points.position[sampling.seeds[s]] - points.position[sampling.seeds[t]]).squaredNorm() <= limit2;
   };
-  survey_of_worker.clear();
   voronoi.pairs = merge_evidence(
       std::move(pairs), sampling.seeds.size(), [&](const SeedPair& p) { return near(p.a, p.b); }, parallel);
   voronoi.triples = merge_evidence(

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "reverse_edges.h"
 
@@ -63,33 +62,32 @@ void find_own_neighbors(const OrderedPoints& points,
   for (std::uint32_t rank = 0; rank < points.size(); ++rank) search_row(points, cloud, rank, graph);
 }
 
+/** \brief Squared distances to the farthest own neighbours. */
+PointArray<float> measure_reach(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
+{
+  PointArray<float> reach2(points.size());
+  parallel.each(points.size(), block, [&](std::size_t i) {
+    const NeighborSpan row = graph.nearest(i);
+    reach2[i] = row.size() > 0 ? squared_distance(points.position[i], points.position[*(row.end() - 1)]) : 0.0F;
+  });
+  return reach2;
+}
+
 /** \brief Tells whether a point lists another, for rows that hold all of the nearest: those not beyond the last one. */
 class CompleteRows
 {
  public:
-  CompleteRows(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel) : last_(points.size())
-  {
-    parallel.each(points.size(), block, [&](std::size_t i) {
-      const std::uint32_t last = graph.own[(i + 1) * graph.stride - 1];
-      last_[i] = place(squared_distance(points.position[i], points.position[last]), last);
-    });
-  }
+  explicit CompleteRows(const NeighborGraph& graph) : graph_(graph) {}
 
   [[nodiscard]] bool lists(std::uint32_t lister, std::uint32_t listed, float squared_distance) const
   {
-    return place(squared_distance, listed) <= last_[lister];
+    const float reach2 = graph_.reach2[lister];
+    if (squared_distance != reach2) return squared_distance < reach2;
+    return listed <= *(graph_.nearest(lister).end() - 1);  // of equally distant points, those of low rank are listed
   }
 
  private:
-  /** \brief Squared distance and rank in one integer that sorts like the pair. */
-  static std::uint64_t place(float squared_distance, std::uint32_t rank)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &squared_distance, sizeof bits);
-    return std::uint64_t{bits} << 32 | rank;
-  }
-
-  PointArray<std::uint64_t> last_;
+  const NeighborGraph& graph_;
 };
 
 /** \brief The same for rows of a caller's search, which may have overlooked some. */
@@ -108,33 +106,38 @@ class AnyRows
   const NeighborGraph& graph_;
 };
 
-/** \brief Sum of the distances of neighbours. */
+/** \brief What a walk over rows finds out about their lengths. */
 class Lengths
 {
  public:
   static constexpr std::size_t lanes = 4;  // roots that are taken together: floats in the narrowest vector register
 
-  /** \param squares with zeros behind the last one, up to the next multiple of \a lanes */
-  void add(const float* squares, std::size_t count)
+  /** \param squares of the distances to a point's neighbours, with zeros behind the last one, up to the next multiple
+   * of \a lanes \param outreached how many of the neighbours reach far less than the point */
+  void add(const float* squares, std::size_t count, std::size_t outreached)
   {
     for (std::size_t j = 0; j < count; j += lanes)
       for (std::size_t l = 0; l < lanes; ++l) sum_[l] += static_cast<double>(std::sqrt(squares[j + l]));
     count_ += count;
+    lone_points_ += outreached > count / 2 ? 1 : 0;
   }
   Lengths& operator+=(const Lengths& other)
   {
     for (std::size_t l = 0; l < lanes; ++l) sum_[l] += other.sum_[l];
     count_ += other.count_;
+    lone_points_ += other.lone_points_;
     return *this;
   }
   [[nodiscard]] double mean() const
   {
     return count_ > 0 ? ((sum_[0] + sum_[1]) + (sum_[2] + sum_[3])) / static_cast<double>(count_) : 0.0;
   }
+  [[nodiscard]] std::size_t lone_points() const { return lone_points_; }
 
  private:
   double sum_[lanes] = {};
   std::size_t count_ = 0;
+  std::size_t lone_points_ = 0;
 };
 
 /** \brief One walk over the rows of the points begin ... end - 1.
@@ -148,28 +151,33 @@ ReverseEdge* survey_rows(const OrderedPoints& points,
                          std::size_t begin,
                          std::size_t end,
                          ReverseEdge* edges,
-                         Lengths& lengths)
+                         Lengths& lengths_of_rows)
 {
   std::vector<float> squares(graph.stride + Lengths::lanes);
+  Lengths lengths;  // written back at the end: those of other workers are close by in memory
   for (std::size_t i = begin; i < end; ++i) {
     const auto own = static_cast<std::uint32_t>(i);
     const NeighborSpan row = graph.nearest(i);
     const Eigen::Vector3f center = points.position[i];
+    const float far2 = graph.reach2[i] / (lone_reach * lone_reach);
     float* square = squares.data();
     for (const std::uint32_t j : row) *square++ = squared_distance(center, points.position[j]);
     std::fill_n(square, Lengths::lanes, 0.0F);
-    lengths.add(squares.data(), row.size());
     square = squares.data();
+    std::size_t outreached = 0;
     for (const std::uint32_t j : row) {
       // Without branches: every edge is written, and stays if the next place is beyond it.
       *edges = {j, own};
       edges += rows.lists(j, own, *square++) ? 0 : 1;
+      outreached += graph.reach2[j] < far2 ? 1 : 0;
     }
+    lengths.add(squares.data(), row.size(), outreached);
   }
+  lengths_of_rows = lengths;
   return edges;
 }
 
-/** \brief Measures the sampling interval, and files edges that only one end lists with the other end as well. */
+/** \brief Measures the rows, and files edges that only one end lists with the other end as well. */
 template <typename Rows>
 void join_rows(const OrderedPoints& points, const Rows& rows, NeighborGraph& graph, const Parallel& parallel)
 {
@@ -186,6 +194,7 @@ void join_rows(const OrderedPoints& points, const Rows& rows, NeighborGraph& gra
   Lengths lengths;
   for (const Lengths& part : lengths_of_tile) lengths += part;
   graph.sampling_interval = lengths.mean();
+  graph.lone_points = lengths.lone_points();
   reverse.file(graph, parallel);
 }
 
@@ -203,10 +212,11 @@ NeighborGraph build_neighbor_graph(const OrderedPoints& points,
   }
   graph.stride = std::min<std::size_t>(static_cast<std::size_t>(k), points.size() - 1);
   find_own_neighbors(points, cloud, graph, parallel);
+  graph.reach2 = measure_reach(points, graph, parallel);
   if (cloud.neighbor_search)
     join_rows(points, AnyRows(graph), graph, parallel);
   else
-    join_rows(points, CompleteRows(points, graph, parallel), graph, parallel);
+    join_rows(points, CompleteRows(graph), graph, parallel);
   return graph;
 }
 

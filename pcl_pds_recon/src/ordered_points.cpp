@@ -240,7 +240,9 @@ void assign_ranks(const FramedCloud& cloud, const KeyedPoint* sorted, OrderedPoi
   };
   std::vector<std::size_t> places_before((points.valid_points + block - 1) / block);
   parallel.blocks(points.valid_points, block, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t i = begin; i < end; ++i) places_before[begin / block] += new_place(i) ? 1U : 0U;
+    std::size_t count = 0;  // written once: the counts of other workers are close by in memory
+    for (std::size_t i = begin; i < end; ++i) count += new_place(i) ? 1U : 0U;
+    places_before[begin / block] = count;
   });
   std::size_t places = 0;
   for (std::size_t& before : places_before) places += std::exchange(before, places);

@@ -9,31 +9,23 @@ namespace pds
 namespace
 {
 
-constexpr std::size_t block = 4096;   // points per block
-constexpr double worth_while = 1e-4;  // of the points; fewer far ones do less harm than another neighbour search costs
+constexpr std::size_t block = 4096;  // points per block
+constexpr double worth_while_share =
+    1e-4;                             // of the points; fewer far ones do less harm than another neighbour search costs
 constexpr std::size_t few = 3;        // neighbours of an outlier, of which one at least is none
-constexpr float far_from_own = 4.0F;  // a reach so many times that of the neighbours; at a density's 10:1 edge it is 3
-constexpr float apart = 1.1F;         // or only so many times that ...
-constexpr float off_plane = 0.45F;    // ... but so much of it off their plane: half of their reach above it
-constexpr float far_from_all = 4.0F;  // a reach so many times the median of all points ...
+constexpr float apart = 1.1F;         // a reach so many times that of the neighbours, and ...
+constexpr float off_plane = 0.45F;    // ... so much of it off their plane: half of their reach above it
+constexpr float far_from_all = 4.0F;  // or a reach so many times the median of all points ...
 constexpr double shapeless = 0.25;    // ... in a neighbourhood this thick; an isotropic cloud has 0.58
 
-PointArray<float> reach_of_points(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
-{
-  PointArray<float> reach(points.size());
-  parallel.each(points.size(), block, [&](std::size_t i) {
-    const NeighborSpan row = graph.nearest(i);
-    reach[i] = row.size() > 0 ? (points.position[i] - points.position[*(row.end() - 1)]).norm() : 0.0F;
-  });
-  return reach;
-}
+constexpr float square(float x) { return x * x; }
 
-/** \brief Of every 16th point: enough to tell orders of magnitude. */
-float typical(const PointArray<float>& reach)
+/** \brief The median of every 16th point's: enough to tell orders of magnitude. */
+float typical(const PointArray<float>& reach2)
 {
   constexpr std::size_t stride = 16;
   std::vector<float> sample;
-  for (std::size_t i = 0; i < reach.size(); i += stride) sample.push_back(reach[i]);
+  for (std::size_t i = 0; i < reach2.size(); i += stride) sample.push_back(reach2[i]);
   const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
   std::nth_element(sample.begin(), middle, sample.end());
   return *middle;
@@ -43,57 +35,64 @@ float typical(const PointArray<float>& reach)
 class OutlierRule
 {
  public:
-  OutlierRule(const OrderedPoints& points, const NeighborGraph& graph, const PointArray<float>& reach, float far)
-      : points_(points), graph_(graph), reach_(reach), far_(far)
+  /** \param far2 squared reach that only strays and coarser surfaces have */
+  OutlierRule(const OrderedPoints& points, const NeighborGraph& graph, float far2)
+      : points_(points), graph_(graph), far2_(far2)
   {
   }
 
   [[nodiscard]] bool is_far(std::size_t i) const
   {
+    if (is_shapeless(i)) return true;
     const NeighborSpan row = graph_.nearest(i);
-    const float reach = reach_[i];
-    if (reach > far_ && spread_around(points_, graph_, i).plane().thickness > shapeless) return true;
+    const float lone2 = graph_.reach2[i] / square(lone_reach);
     std::size_t outreached = 0;
-    for (const std::uint32_t j : row) outreached += reach > far_from_own * reach_[j] ? 1 : 0;
+    for (const std::uint32_t j : row) outreached += graph_.reach2[j] < lone2 ? 1 : 0;
     return outreached > row.size() / 2;
+  }
+
+  /** \brief Far from all others, and from anything like a surface. */
+  [[nodiscard]] bool is_shapeless(std::size_t i) const
+  {
+    return graph_.reach2[i] > far2_ && spread_around(points_, graph_, i).plane().thickness > shapeless;
   }
 
   /** \brief Off the surface by as little as noise or a sharp corner may be. */
   bool is_near(std::size_t i)
   {
     const NeighborSpan row = graph_.nearest(i);
-    const float reach = reach_[i];
+    const float reach2 = graph_.reach2[i];
+    const float apart2 = reach2 / square(apart);
     // The nearest neighbours alone tell of most points that they are none.
     const std::uint32_t* const few_end = row.begin() + std::min<std::size_t>(few, row.size());
-    return (reach > far_ ||
-            std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return reach > apart * reach_[j]; })) &&
-           reach > apart * reach_around(row) && distance_from_plane(i, row) > off_plane * reach;
+    return (reach2 > far2_ ||
+            std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return apart2 > graph_.reach2[j]; })) &&
+           apart2 > reach2_around(row) && squared_distance_from_plane(i, row) > square(off_plane) * reach2;
   }
 
  private:
-  /** \brief Median of the neighbours' reaches. */
-  float reach_around(const NeighborSpan& row)
+  /** \brief Median of the neighbours' squared reaches. */
+  float reach2_around(const NeighborSpan& row)
   {
     scratch_.clear();
-    for (const std::uint32_t j : row) scratch_.push_back(reach_[j]);
+    for (const std::uint32_t j : row) scratch_.push_back(graph_.reach2[j]);
     const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
     std::nth_element(scratch_.begin(), middle, scratch_.end());
     return *middle;
   }
 
   /** \brief Of a point from the plane of its neighbours. */
-  [[nodiscard]] float distance_from_plane(std::size_t i, const NeighborSpan& row) const
+  [[nodiscard]] float squared_distance_from_plane(std::size_t i, const NeighborSpan& row) const
   {
     SpreadSum sum(Spread{points_.position[*row.begin()]});
     for (const std::uint32_t* j = row.begin() + 1; j != row.end(); ++j) sum.add(Spread{points_.position[*j]});
     const Eigen::Vector3f& p = points_.position[i];
-    return (sum.mean().plane().project(p) - p).norm();
+    return (sum.mean().plane().project(p) - p).squaredNorm();
   }
 
   const OrderedPoints& points_;
   const NeighborGraph& graph_;
-  const PointArray<float>& reach_;
-  float far_;  ///< reach that only strays and coarser surfaces have
+  float far2_;
   std::vector<float> scratch_;
 };
 
@@ -104,16 +103,24 @@ std::vector<std::uint8_t> find_outliers(const OrderedPoints& points,
                                         const Parallel& parallel)
 {
   if (points.size() < 2) return {};
-  const PointArray<float> reach = reach_of_points(points, graph, parallel);
-  const float far_reach = far_from_all * typical(reach);
+  const OutlierRule rule(points, graph, square(far_from_all) * typical(graph.reach2));
+  const auto worth_while = [&](std::size_t outliers) {
+    return static_cast<double>(outliers) > worth_while_share * static_cast<double>(points.size());
+  };
+  // Lone points have been counted by the way. Most clouds need no closer look.
+  const std::size_t shapeless_points = parallel.sum(points.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::size_t part = 0;
+    for (std::size_t i = begin; i < end; ++i) part += rule.is_shapeless(i) ? 1 : 0;
+    return part;
+  });
+  if (!worth_while(graph.lone_points + shapeless_points)) return {};
   std::vector<std::uint8_t> outlier(points.size());
-  const OutlierRule rule(points, graph, reach, far_reach);
   const std::size_t far = parallel.sum(points.size(), block, [&](std::size_t begin, std::size_t end) {
     std::size_t part = 0;
     for (std::size_t i = begin; i < end; ++i) part += outlier[i] = rule.is_far(i) ? 1 : 0;
     return part;
   });
-  if (static_cast<double>(far) <= worth_while * static_cast<double>(points.size())) return {};
+  if (!worth_while(far)) return {};
   parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
     OutlierRule own_rule = rule;  // with working memory of its own
     for (std::size_t i = begin; i < end; ++i)

@@ -11,6 +11,10 @@
 namespace pds
 {
 
+/** \brief Bytes that processors take from each other as a whole: what different workers keep writing is this far apart.
+ */
+constexpr std::size_t cache_line = 64;
+
 /** \brief Calls body(begin, end, part) for blocks of indices, each with a part of its own.
  * \return the parts in the order of the blocks, so that it does not matter who did what when */
 template <typename Part, typename Body>

@@ -81,11 +81,13 @@ Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& opt
   found.radius = absolute               ? options.radius / found.points.unit
                  : options.vertices > 0 ? radius_for(options.vertices, found, options.k_neighbors)
                                         : options.radius_factor * found.interval;
-  if (absolute || options.max_error > 0 || found.interval <= 0) return found;
-  if (options.vertices > 0) require_enough_points(found, options);
-  const std::size_t points = found.points.size();
-  thin(found.radius);
-  if (found.points.size() < points) join();
+  if (!absolute && options.max_error == 0 && found.interval > 0) {
+    if (options.vertices > 0) require_enough_points(found, options);
+    const std::size_t points = found.points.size();
+    thin(found.radius);
+    if (found.points.size() < points) join();
+  }
+  found.graph.reach2 = {};  // of no more use
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include <pcl_pds_recon/orientation.h>
 #include <pcl_pds_recon/outward_normals.h>
 #include <pcl_pds_recon/placement.h>
+#include <pcl_pds_recon/point_array.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/reconstruction.h>
 #include <pcl_pds_recon/scan_noise.h>
@@ -222,6 +223,7 @@ class Run
                                 given);
   }
 
+  const PageRecycling pages_;
   const PointCloudView& cloud_;
   const Options& options_;
   Parallel parallel_;

@@ -72,19 +72,28 @@ SeedGeometry describe_seeds(const PointCloudView& cloud,
   SeedGeometry seeds;
   seeds.position.resize(count);
   seeds.normal.resize(count);
-  seeds.curvature.assign(count, 0.0);
+  seeds.curvature.resize(count);
   constexpr std::size_t block = 256;
   parallel.each(count, block, [&](std::size_t s) {
     // From the input itself: faces are judged where they will be, not where single precision puts them.
     const Vector3d input = cloud.positions[points.input_index[sampling.seeds[s]]];
     seeds.position[s] = (input - points.origin) / points.unit / sampling.radius;
-    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    // The six different entries of the sum of n n^T: xx, yy, zz, xy, yz, zx.
+    Vector3d squares = Vector3d::Zero();
+    Vector3d products = Vector3d::Zero();
+    double curvature = 0;
     for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i) {
-      const Vector3d normal = surface.normal[voronoi.cell_point[i]].cast<double>();
-      moment += normal * normal.transpose();
-      seeds.curvature[s] += static_cast<double>(surface.curvature[voronoi.cell_point[i]]);
+      const std::uint32_t point = voronoi.cell_point[i];
+      const Vector3d n = surface.normal[point].cast<double>();
+      squares += n.cwiseProduct(n);
+      products += n.cwiseProduct(Vector3d(n.y(), n.z(), n.x()));
+      curvature += static_cast<double>(surface.curvature[point]);
     }
-    seeds.curvature[s] /= static_cast<double>(voronoi.cell_begin[s + 1] - voronoi.cell_begin[s]);
+    seeds.curvature[s] = curvature / static_cast<double>(voronoi.cell_begin[s + 1] - voronoi.cell_begin[s]);
+    Eigen::Matrix3d moment = squares.asDiagonal();
+    moment(1, 0) = products[0];  // the solver reads the lower triangle
+    moment(2, 1) = products[1];
+    moment(2, 0) = products[2];
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(moment);
     seeds.normal[s] = solver.eigenvectors().col(2);

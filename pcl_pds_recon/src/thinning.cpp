@@ -21,7 +21,7 @@ constexpr std::size_t least_left = 1000;  // points; fewer say nothing about a s
 // for they have but a part of the points of the voxels at their ends.
 constexpr std::size_t stretches = 16;
 constexpr std::size_t stretch = 2048;        // points
-constexpr double least_expected_gain = 1.5;  // points per voxel
+constexpr double least_expected_gain = 1.9;  // points per voxel
 
 /** \brief Consecutive points in one voxel. */
 struct VoxelRun
