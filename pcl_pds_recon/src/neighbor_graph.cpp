@@ -62,32 +62,34 @@ void find_own_neighbors(const OrderedPoints& points,
   for (std::uint32_t rank = 0; rank < points.size(); ++rank) search_row(points, cloud, rank, graph);
 }
 
-/** \brief Squared distances to the farthest own neighbours. */
-PointArray<float> measure_reach(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
+PointArray<Reach> measure_reach(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
 {
-  PointArray<float> reach2(points.size());
+  PointArray<Reach> reach(points.size());
   parallel.each(points.size(), block, [&](std::size_t i) {
     const NeighborSpan row = graph.nearest(i);
-    reach2[i] = row.size() > 0 ? squared_distance(points.position[i], points.position[*(row.end() - 1)]) : 0.0F;
+    const std::uint32_t last = row.size() > 0 ? *(row.end() - 1) : static_cast<std::uint32_t>(i);
+    reach[i] = {squared_distance(points.position[i], points.position[last]), last};
   });
-  return reach2;
+  return reach;
 }
 
 /** \brief Tells whether a point lists another, for rows that hold all of the nearest: those not beyond the last one. */
 class CompleteRows
 {
  public:
-  explicit CompleteRows(const NeighborGraph& graph) : graph_(graph) {}
+  explicit CompleteRows(const NeighborGraph& graph) : reach_(graph.reach.data()) {}
 
   [[nodiscard]] bool lists(std::uint32_t lister, std::uint32_t listed, float squared_distance) const
   {
-    const float reach2 = graph_.reach2[lister];
-    if (squared_distance != reach2) return squared_distance < reach2;
-    return listed <= *(graph_.nearest(lister).end() - 1);  // of equally distant points, those of low rank are listed
+    // Without branches, for the last one is often the one in question.
+    const Reach reach = reach_[lister];
+    const bool nearer = squared_distance < reach.squared;
+    const bool as_near = (squared_distance == reach.squared) & (listed <= reach.rank);
+    return nearer | as_near;
   }
 
  private:
-  const NeighborGraph& graph_;
+  const Reach* reach_;
 };
 
 /** \brief The same for rows of a caller's search, which may have overlooked some. */
@@ -159,7 +161,7 @@ ReverseEdge* survey_rows(const OrderedPoints& points,
     const auto own = static_cast<std::uint32_t>(i);
     const NeighborSpan row = graph.nearest(i);
     const Eigen::Vector3f center = points.position[i];
-    const float far2 = graph.reach2[i] / (lone_reach * lone_reach);
+    const float far2 = graph.reach[i].squared / (lone_reach * lone_reach);
     float* square = squares.data();
     for (const std::uint32_t j : row) *square++ = squared_distance(center, points.position[j]);
     std::fill_n(square, Lengths::lanes, 0.0F);
@@ -169,7 +171,7 @@ ReverseEdge* survey_rows(const OrderedPoints& points,
       // Without branches: every edge is written, and stays if the next place is beyond it.
       *edges = {j, own};
       edges += rows.lists(j, own, *square++) ? 0 : 1;
-      outreached += graph.reach2[j] < far2 ? 1 : 0;
+      outreached += graph.reach[j].squared < far2 ? 1 : 0;
     }
     lengths.add(squares.data(), row.size(), outreached);
   }
@@ -212,7 +214,7 @@ NeighborGraph build_neighbor_graph(const OrderedPoints& points,
   }
   graph.stride = std::min<std::size_t>(static_cast<std::size_t>(k), points.size() - 1);
   find_own_neighbors(points, cloud, graph, parallel);
-  graph.reach2 = measure_reach(points, graph, parallel);
+  graph.reach = measure_reach(points, graph, parallel);
   if (cloud.neighbor_search)
     join_rows(points, AnyRows(graph), graph, parallel);
   else

@@ -21,11 +21,11 @@ constexpr double shapeless = 0.25;    // ... in a neighbourhood this thick; an i
 constexpr float square(float x) { return x * x; }
 
 /** \brief The median of every 16th point's: enough to tell orders of magnitude. */
-float typical(const PointArray<float>& reach2)
+float typical(const PointArray<Reach>& reach)
 {
   constexpr std::size_t stride = 16;
   std::vector<float> sample;
-  for (std::size_t i = 0; i < reach2.size(); i += stride) sample.push_back(reach2[i]);
+  for (std::size_t i = 0; i < reach.size(); i += stride) sample.push_back(reach[i].squared);
   const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
   std::nth_element(sample.begin(), middle, sample.end());
   return *middle;
@@ -45,28 +45,28 @@ class OutlierRule
   {
     if (is_shapeless(i)) return true;
     const NeighborSpan row = graph_.nearest(i);
-    const float lone2 = graph_.reach2[i] / square(lone_reach);
+    const float lone2 = graph_.reach[i].squared / square(lone_reach);
     std::size_t outreached = 0;
-    for (const std::uint32_t j : row) outreached += graph_.reach2[j] < lone2 ? 1 : 0;
+    for (const std::uint32_t j : row) outreached += graph_.reach[j].squared < lone2 ? 1 : 0;
     return outreached > row.size() / 2;
   }
 
   /** \brief Far from all others, and from anything like a surface. */
   [[nodiscard]] bool is_shapeless(std::size_t i) const
   {
-    return graph_.reach2[i] > far2_ && spread_around(points_, graph_, i).plane().thickness > shapeless;
+    return graph_.reach[i].squared > far2_ && spread_around(points_, graph_, i).plane().thickness > shapeless;
   }
 
   /** \brief Off the surface by as little as noise or a sharp corner may be. */
   bool is_near(std::size_t i)
   {
     const NeighborSpan row = graph_.nearest(i);
-    const float reach2 = graph_.reach2[i];
+    const float reach2 = graph_.reach[i].squared;
     const float apart2 = reach2 / square(apart);
     // The nearest neighbours alone tell of most points that they are none.
     const std::uint32_t* const few_end = row.begin() + std::min<std::size_t>(few, row.size());
     return (reach2 > far2_ ||
-            std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return apart2 > graph_.reach2[j]; })) &&
+            std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return apart2 > graph_.reach[j].squared; })) &&
            apart2 > reach2_around(row) && squared_distance_from_plane(i, row) > square(off_plane) * reach2;
   }
 
@@ -75,7 +75,7 @@ class OutlierRule
   float reach2_around(const NeighborSpan& row)
   {
     scratch_.clear();
-    for (const std::uint32_t j : row) scratch_.push_back(graph_.reach2[j]);
+    for (const std::uint32_t j : row) scratch_.push_back(graph_.reach[j].squared);
     const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
     std::nth_element(scratch_.begin(), middle, scratch_.end());
     return *middle;
@@ -103,7 +103,7 @@ std::vector<std::uint8_t> find_outliers(const OrderedPoints& points,
                                         const Parallel& parallel)
 {
   if (points.size() < 2) return {};
-  const OutlierRule rule(points, graph, square(far_from_all) * typical(graph.reach2));
+  const OutlierRule rule(points, graph, square(far_from_all) * typical(graph.reach));
   const auto worth_while = [&](std::size_t outliers) {
     return static_cast<double>(outliers) > worth_while_share * static_cast<double>(points.size());
   };

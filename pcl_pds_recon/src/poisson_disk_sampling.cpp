@@ -5,7 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <tuple>
+#include <utility>
+#include "cell_schedule.h"
 #include "parallel_parts.h"
 
 namespace pds
@@ -13,19 +16,7 @@ namespace pds
 namespace
 {
 
-constexpr std::size_t color_count = 8;  // 2 x 2 x 2: cells of one colour are a whole cell apart
-
-/** \brief Consecutive points that lie in the same block. */
-struct BlockRun
-{
-  std::uint64_t block;
-  RankRange points;
-
-  bool operator<(const BlockRun& other) const
-  {
-    return block != other.block ? block < other.block : points.begin < other.points.begin;
-  }
-};
+constexpr std::size_t block = 16384;  // points per block
 
 /** \brief A point's turn within its cell: by descending feature rank, then by drawn lot. */
 struct Dart
@@ -56,149 +47,44 @@ std::uint64_t hash_position(const Eigen::Vector3f& p, std::uint64_t seed)
   return hash;
 }
 
-/** \brief Space cut into cells of 4 x 4 x 4 blocks. A block is as wide as a disk reaches, so that the disks of a cell
- * stay within the blocks next to it, and those of different cells of one colour have no block in common. Cells of two
- * blocks a side would do for that, but what surrounds them would be three times as much as they hold.
- *
- * A block's number has its cell's colour in the top bits, then the cell, then its place in the cell. Coordinates repeat
- * every 2^20 blocks along an axis: it does no harm that cells far apart take their turn together.
- */
-class BlockGrid
+/** \brief Hands out the darts of a cell by turn: sorted into a few buckets first, and each of these only when it comes
+ * up, for most of its darts are covered by then and need no place in the order. */
+class DartQueue
 {
  public:
-  // The quotient of a coordinate, which is below 1, and the side must fit an integer.
-  explicit BlockGrid(double block_side) : blocks_per_unit_(1 / std::max(block_side, std::ldexp(1.0, -60))) {}
+  void clear() { darts_.clear(); }
+  void add(const Dart& dart) { darts_.push_back(dart); }
+  [[nodiscard]] bool empty() const { return darts_.empty(); }
 
-  [[nodiscard]] std::uint64_t block_of(const Eigen::Vector3f& p) const
+  /** \brief Calls throw_dart(point) by turn, for points of which is_covered(point) is false at that time. */
+  template <typename IsCovered, typename ThrowDart>
+  void throw_all(const IsCovered& is_covered, const ThrowDart& throw_dart)
   {
-    std::uint64_t cell = 0;
-    std::uint64_t place = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double coordinate = static_cast<double>(p[axis]) * blocks_per_unit_;
-      auto floor = static_cast<std::int64_t>(coordinate);
-      floor -= static_cast<double>(floor) > coordinate ? 1 : 0;
-      const auto block = static_cast<std::uint64_t>(floor);
-      cell = cell << axis_bits | (block >> side_bits & axis_mask);
-      place = place << side_bits | (block & (side - 1));
+    std::array<std::uint32_t, buckets> end{};
+    for (const Dart& dart : darts_) ++end[bucket_of(dart)];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& e : end) sum += std::exchange(e, sum);
+    sorted_.resize(darts_.size());
+    for (const Dart& dart : darts_) sorted_[end[bucket_of(dart)]++] = dart;
+    auto first = sorted_.begin();
+    for (const std::uint32_t e : end) {
+      const auto last = sorted_.begin() + e;
+      const auto open = std::remove_if(first, last, [&](const Dart& dart) { return is_covered(dart.point); });
+      std::sort(first, open);
+      for (; first != open; ++first)
+        if (!is_covered(first->point)) throw_dart(first->point);
+      first = last;
     }
-    return number_of(cell) << place_bits | place;
-  }
-
-  static std::uint64_t cell_of(std::uint64_t block) { return block >> place_bits; }
-  static std::size_t color_of(std::uint64_t cell) { return cell >> (3 * axis_bits); }
-
-  /** \brief The number of the cell that lies dx, dy, dz cells away. */
-  static std::uint64_t next_to(std::uint64_t cell, const std::array<int, 3>& step)
-  {
-    std::uint64_t next = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      next = next << axis_bits | ((coordinate(cell, axis) + static_cast<std::uint64_t>(step[axis])) & axis_mask);
-    return number_of(next);
-  }
-
-  /** \brief True if a block of the cell that lies a step away touches the cell it was made from. */
-  static bool touches(std::uint64_t block, const std::array<int, 3>& step)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::uint64_t along = block >> ((2 - axis) * side_bits) & (side - 1);
-      if ((step[axis] < 0 && along != side - 1) || (step[axis] > 0 && along != 0)) return false;
-    }
-    return true;
   }
 
  private:
-  static constexpr int side_bits = 2;
-  static constexpr std::uint64_t side = 1U << side_bits;  ///< of a cell, in blocks
-  static constexpr int place_bits = 3 * side_bits;
-  static constexpr int axis_bits = 18;
-  static constexpr std::uint64_t axis_mask = (std::uint64_t{1} << axis_bits) - 1;
+  static constexpr int bucket_bits = 10;  // the feature rank, and a quarter of the lots
+  static constexpr std::size_t buckets = std::size_t{1} << bucket_bits;
 
-  static std::uint64_t coordinate(std::uint64_t cell, std::size_t axis)
-  {
-    return cell >> ((2 - axis) * axis_bits) & axis_mask;
-  }
+  static std::size_t bucket_of(const Dart& dart) { return dart.turn >> (64 - bucket_bits); }
 
-  /** \brief The colour, from the parity of the coordinates, put in front of them. */
-  static std::uint64_t number_of(std::uint64_t coordinates)
-  {
-    std::uint64_t color = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) color = color << 1 | (coordinate(coordinates, axis) & 1);
-    return color << (3 * axis_bits) | coordinates;
-  }
-
-  double blocks_per_unit_;
-};
-
-/** \brief The runs of every cell, and the cells of every colour. Points follow a Morton curve, so runs are long. */
-class Schedule
-{
- public:
-  Schedule(const OrderedPoints& points, const BlockGrid& grid, const Parallel& parallel)
-  {
-    collect_runs(points, grid, parallel);
-    std::sort(runs_.begin(), runs_.end());
-    for (std::size_t r = 0; r < runs_.size(); ++r) {
-      const std::uint64_t cell = BlockGrid::cell_of(runs_[r].block);
-      if (r > 0 && cell == cell_.back()) continue;
-      cell_.push_back(cell);
-      run_begin_.push_back(r);
-      for (std::size_t color = BlockGrid::color_of(cell) + 1; color <= color_count; ++color)
-        color_begin_[color] = cell_.size();
-    }
-    run_begin_.push_back(runs_.size());
-  }
-
-  /** \brief Numbers of the first and behind the last cell of a colour. */
-  [[nodiscard]] std::size_t first_cell(std::size_t color) const { return color_begin_[color]; }
-  [[nodiscard]] std::size_t last_cell(std::size_t color) const { return color_begin_[color + 1]; }
-  [[nodiscard]] const BlockRun* runs_begin(std::size_t cell) const { return runs_.data() + run_begin_[cell]; }
-  [[nodiscard]] const BlockRun* runs_end(std::size_t cell) const { return runs_.data() + run_begin_[cell + 1]; }
-
-  /** \brief Appends the points of a cell and of the blocks next to it. */
-  void append_surroundings(std::size_t number, std::vector<RankRange>& patch) const
-  {
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dz = -1; dz <= 1; ++dz) {
-          const std::array<int, 3> step{dx, dy, dz};
-          const std::size_t next = find(BlockGrid::next_to(cell_[number], step));
-          if (next == none) continue;
-          for (const BlockRun* run = runs_begin(next); run != runs_end(next); ++run)
-            if (BlockGrid::touches(run->block, step)) patch.push_back(run->points);
-        }
-  }
-
- private:
-  static constexpr std::size_t none = ~std::size_t{0};
-
-  /** \brief The place of a cell in the list; none if it is empty. */
-  [[nodiscard]] std::size_t find(std::uint64_t wanted) const
-  {
-    const std::size_t color = BlockGrid::color_of(wanted);
-    const auto begin = cell_.begin() + static_cast<std::ptrdiff_t>(first_cell(color));
-    const auto end = cell_.begin() + static_cast<std::ptrdiff_t>(last_cell(color));
-    const auto place = std::lower_bound(begin, end, wanted);
-    return place != end && *place == wanted ? static_cast<std::size_t>(place - cell_.begin()) : none;
-  }
-
-  void collect_runs(const OrderedPoints& points, const BlockGrid& grid, const Parallel& parallel)
-  {
-    constexpr std::size_t points_per_task = 16384;
-    using Runs = std::vector<BlockRun>;
-    const auto find = [&](std::size_t begin, std::size_t end, Runs& runs) {
-      for (auto point = static_cast<std::uint32_t>(begin); point < end; ++point) {
-        const std::uint64_t block = grid.block_of(points.position[point]);
-        if (runs.empty() || runs.back().block != block) runs.push_back({block, {point, point}});
-        runs.back().points.end = point + 1;
-      }
-    };
-    runs_ = joined(parallel_parts<Runs>(points.size(), points_per_task, parallel, find), parallel);
-  }
-
-  PointArray<BlockRun> runs_;           ///< by block, then points
-  std::vector<std::uint64_t> cell_;     ///< numbers, ascending, so by colour
-  std::vector<std::size_t> run_begin_;  ///< begin of each cell's runs; size cells + 1
-  std::array<std::size_t, color_count + 1> color_begin_{};
+  std::vector<Dart> darts_;
+  std::vector<Dart> sorted_;  ///< by bucket
 };
 
 /** \brief Throws the darts of one cell after the other. Holds the working memory of one thread. */
@@ -208,7 +94,7 @@ class DartThrower
   DartThrower(const OrderedPoints& points,
               const std::vector<std::uint8_t>& feature_rank,
               std::uint64_t seed,
-              const Schedule& schedule,
+              const CellSchedule& schedule,
               GeodesicDisk& disk,
               PoissonDiskSampling& sampling)
       : points_(points),
@@ -224,14 +110,15 @@ class DartThrower
   /** \brief Makes seeds of the given points in a cell, however close to others they are. */
   void place_given(std::size_t cell, const std::vector<std::uint32_t>& given)
   {
-    darts_.clear();
-    for (const BlockRun* run = schedule_.runs_begin(cell); run != schedule_.runs_end(cell); ++run)
-      for (auto g = std::lower_bound(given.begin(), given.end(), run->points.begin);
-           g != given.end() && *g < run->points.end; ++g)
-        darts_.push_back({*g, *g});
-    if (darts_.empty()) return;
+    std::vector<std::uint32_t> here;
+    schedule_.visit_points(cell, [&](const RankRange& range) {
+      for (auto g = std::lower_bound(given.begin(), given.end(), range.begin); g != given.end() && *g < range.end; ++g)
+        here.push_back(*g);
+    });
+    if (here.empty()) return;
     enter(cell);
-    for (const Dart& dart : darts_) place_seed(dart.point, grow(dart.point));
+    for (const std::uint32_t point : here) place_seed(point, grow(point));
+    disk_.leave();
   }
 
   /** \param coverage in radii: points are darts that are farther from all seeds
@@ -239,16 +126,16 @@ class DartThrower
   void throw_darts(std::size_t cell, double coverage, std::uint8_t least_rank)
   {
     const float covered = static_cast<float>(coverage) * radius_;
+    const auto is_covered = [&](std::uint32_t point) { return nearest_[point].covered(covered); };
     darts_.clear();
-    for (const BlockRun* run = schedule_.runs_begin(cell); run != schedule_.runs_end(cell); ++run)
-      for (std::uint32_t point = run->points.begin; point < run->points.end; ++point)
-        if (feature_rank_[point] >= least_rank && !nearest_[point].covered(covered))
-          darts_.push_back({turn_of(point), point});
+    schedule_.visit_points(cell, [&](const RankRange& range) {
+      for (std::uint32_t point = range.begin; point < range.end; ++point)
+        if (feature_rank_[point] >= least_rank && !is_covered(point)) darts_.add({turn_of(point), point});
+    });
     if (darts_.empty()) return;
-    std::sort(darts_.begin(), darts_.end());
     enter(cell);
-    for (const Dart& dart : darts_)
-      if (!nearest_[dart.point].covered(covered)) throw_dart(dart.point);
+    darts_.throw_all(is_covered, [this](std::uint32_t point) { throw_dart(point); });
+    disk_.leave();
   }
 
  private:
@@ -296,30 +183,40 @@ class DartThrower
   const OrderedPoints& points_;
   const std::vector<std::uint8_t>& feature_rank_;
   std::uint64_t seed_;
-  const Schedule& schedule_;
+  const CellSchedule& schedule_;
   GeodesicDisk& disk_;
   float radius_;
   PointArray<NearestSeeds>& nearest_;
-  std::vector<Dart> darts_;
+  DartQueue darts_;
   std::vector<RankRange> patch_;
 };
 
 /** \brief Lists the seeds, and names them by their place in that list wherever they were named by their point. */
 void number_seeds(PoissonDiskSampling& sampling, const Parallel& parallel)
 {
-  const std::size_t n = sampling.nearest.size();
-  std::vector<std::uint32_t> seed_of_point(n, NearestSeeds::none);
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (sampling.nearest[i].seed[0] == i) {
-      seed_of_point[i] = static_cast<std::uint32_t>(sampling.seeds.size());
-      sampling.seeds.push_back(i);
-    }
-  constexpr std::size_t block = 16384;
-  parallel.each(n, block, [&](std::size_t i) {
+  using Seeds = std::vector<std::uint32_t>;
+  const PointArray<std::uint32_t> seeds =
+      joined(parallel_parts<Seeds>(sampling.nearest.size(), block, parallel,
+                                   [&](std::size_t begin, std::size_t end, Seeds& part) {
+                                     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+                                       if (sampling.nearest[i].seed[0] == i) part.push_back(i);
+                                   }),
+             parallel);
+  sampling.seeds.assign(seeds.begin(), seeds.end());
+  PointArray<std::uint32_t> number_of_point(sampling.nearest.size());  // unset for points that are no seeds
+  for (std::uint32_t s = 0; s < seeds.size(); ++s) number_of_point[seeds[s]] = s;
+  parallel.each(sampling.nearest.size(), block, [&](std::size_t i) {
     for (std::uint32_t& s : sampling.nearest[i].seed)
-      if (s != NearestSeeds::none) s = seed_of_point[s];
+      if (s != NearestSeeds::none) s = number_of_point[s];
   });
 }
+
+/** \brief One worker's memory, away from the cache lines of others. */
+struct alignas(cache_line) Worker
+{
+  std::optional<GeodesicDisk> disk;
+  std::optional<DartThrower> thrower;
+};
 
 }  // namespace
 
@@ -337,21 +234,24 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
   PoissonDiskSampling sampling;
   sampling.radius = radius;
   sampling.nearest.resize(points.size());
+  parallel.each(points.size(), block, [&](std::size_t i) { sampling.nearest[i] = NearestSeeds::unknown(); });
   {
     // The working memory of the darts is gone before the seeds are numbered.
     constexpr double rounding_margin = 1.001;  // distances and block borders are rounded to single precision
-    const Schedule schedule(points, BlockGrid(disk_reach * radius * rounding_margin), parallel);
+    const CellSchedule schedule(points, disk_reach * radius * rounding_margin, parallel);
     PatchMarks marks(points.size());
-    constexpr std::size_t cells_per_block = 4;
+    std::vector<Worker> workers(parallel.threads());
     const auto each_cell = [&](const auto& action) {
-      for (std::size_t color = 0; color < color_count; ++color) {
+      for (std::size_t color = 0; color < CellSchedule::color_count; ++color) {
         const std::size_t first = schedule.first_cell(color);
-        parallel.blocks(schedule.last_cell(color) - first, cells_per_block,
-                        [&](std::size_t begin, std::size_t end, unsigned) {
-                          GeodesicDisk disk(points, graph, surface, weights, solver, marks);
-                          DartThrower thrower(points, feature_rank, seed, schedule, disk, sampling);
-                          for (std::size_t cell = first + begin; cell < first + end; ++cell) action(thrower, cell);
-                        });
+        parallel.blocks(schedule.last_cell(color) - first, 1, [&](std::size_t cell, std::size_t, unsigned number) {
+          auto& [disk, thrower] = workers[number];
+          if (!thrower) {
+            disk.emplace(points, graph, surface, weights, solver, marks);
+            thrower.emplace(points, feature_rank, seed, schedule, *disk, sampling);
+          }
+          action(*thrower, first + cell);
+        });
       }
     };
     if (!given.ranks.empty())

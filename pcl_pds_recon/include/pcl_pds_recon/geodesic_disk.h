@@ -66,6 +66,9 @@ class GeodesicDisk
    */
   void enter(const std::vector<RankRange>& patch);
 
+  /** \brief Ends work on the patch: others may have its points on theirs. O(m). */
+  void leave();
+
   /** \brief Finds all points of the patch within \a limit of \a source, which is one of them.
    *
    * O(n + m k) for n points in the patch and m in the disk; O(m k log m) where all is marched.
@@ -97,7 +100,6 @@ class GeodesicDisk
     std::uint32_t nearest;  ///< settled neighbour on that path, or none
   };
 
-  void leave();
   [[nodiscard]] std::uint32_t node_of(std::uint32_t point) const
   {
     const std::uint32_t node = marks_[point].load(std::memory_order_relaxed);

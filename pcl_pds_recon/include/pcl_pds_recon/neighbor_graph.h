@@ -77,6 +77,13 @@ class NeighborRange
   NeighborSpan own_, reverse_;
 };
 
+/** \brief How far a point's own neighbours go. */
+struct Reach
+{
+  float squared;       ///< distance of the farthest one; 0 if there is none
+  std::uint32_t rank;  ///< of the farthest one
+};
+
 /** \brief A point is alone if its reach is so many times that of most of its neighbours; where the density of a scan
  * changes 10:1 it is 3. */
 constexpr float lone_reach = 4.0F;
@@ -93,7 +100,7 @@ struct NeighborGraph
   PointArray<std::uint32_t> reverse_begin;  ///< size n + 1: beginnings of rows of reverse, from reverse_base on
   std::vector<std::size_t> reverse_base;    ///< for every 2^base_bits points: where the first one's row begins
   PointArray<std::uint32_t> reverse;        ///< points that list this one without being listed, by ascending rank
-  PointArray<float> reach2;                 ///< squared distance to the farthest own neighbour; may be freed
+  PointArray<Reach> reach;                  ///< by point; may be freed
   double sampling_interval = 0;             ///< mean distance to the own neighbours, in units of position
   std::size_t lone_points = 0;              ///< how many reach lone_reach times as far as most of their neighbours
 

@@ -20,10 +20,13 @@ struct NearestSeeds
   static constexpr std::size_t capacity = 3;          ///< three meet at a Voronoi vertex
   static constexpr std::uint32_t none = 0xffffffffU;  ///< marks a place without a seed
 
-  std::array<std::uint32_t, capacity> seed{none, none, none};          ///< by ascending distance
-  std::array<float, capacity> distance{infinity, infinity, infinity};  ///< to each, in the run's metric
-
   static constexpr float infinity = std::numeric_limits<float>::infinity();  ///< of a place without a seed
+
+  std::array<std::uint32_t, capacity> seed;  ///< by ascending distance
+  std::array<float, capacity> distance;      ///< to each, in the run's metric
+
+  /** \brief Of a point that no disk has reached. Not what the type begins with: arrays of it are filled in parallel. */
+  [[nodiscard]] static NearestSeeds unknown() { return {{none, none, none}, {infinity, infinity, infinity}}; }
 
   /** \brief True if a disk of this radius around some seed covers the point. */
   [[nodiscard]] bool covered(float radius) const { return distance[0] <= radius; }
