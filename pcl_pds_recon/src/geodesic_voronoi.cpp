@@ -248,10 +248,9 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   const WitnessRule is_witness(sampling, threshold);
   std::vector<Surveyor> surveyors(parallel.threads());
   for (Surveyor& surveyor : surveyors) {
-    // Room for all that one worker may find: what is not used takes no memory, and growing would take it twice.
     constexpr std::size_t per_cell = 8;  // neighbours, and corners; six are usual
-    surveyor.pairs.reserve(per_cell * sampling.seeds.size());
-    surveyor.triples.reserve(per_cell * sampling.seeds.size());
+    surveyor.pairs.reserve(per_cell * sampling.seeds.size() / surveyors.size());
+    surveyor.triples.reserve(per_cell * sampling.seeds.size() / surveyors.size());
   }
   parallel.blocks(sampling.seeds.size(), cells_per_block, [&](std::size_t begin, std::size_t end, unsigned worker) {
     Surveyor& surveyor = surveyors[worker];

@@ -28,21 +28,15 @@ ReverseEdges::ReverseEdges(std::size_t point_count, unsigned workers)
     : point_count_(point_count),
       tile_bits_(choose_tile_bits(point_count)),
       tiles_((point_count + tile_size() - 1) >> tile_bits_),
-      edges_of_worker_(workers)
+      chunks_of_worker_(workers)
 {
-  // Room for all of them, should one worker do all the work: what is not used takes no memory.
-  constexpr std::size_t usual_edges = 5;  // a point; at k = 15 three to four
-  for (auto& edges : edges_of_worker_) edges.reserve(usual_edges * point_count);
 }
 
 void ReverseEdges::add(unsigned worker, std::size_t tile, const ReverseEdge* edges, std::size_t count)
 {
-  PointArray<PackedEdge>& list = edges_of_worker_[worker];
   Tile& sorted = tiles_[tile];
-  sorted.worker = worker;
-  sorted.first = list.size();
-  list.resize(list.size() + count);
-  PackedEdge* const place = list.data() + sorted.first;
+  sorted.edges = chunks_of_worker_[worker].take(count);
+  PackedEdge* const place = sorted.edges;
   std::vector<std::uint32_t>& begin = sorted.begin;
   begin.assign(tile_count() + 1, 0);
   for (std::size_t e = 0; e < count; ++e) ++begin[edges[e].listed >> tile_bits_];
@@ -63,9 +57,8 @@ void ReverseEdges::visit_edges_to(std::size_t tile, const Visit& visit) const
     const Tile& from = tiles_[t];
     if (from.begin.empty()) continue;
     const auto first = static_cast<std::uint32_t>(t << tile_bits_);
-    const PackedEdge* const edges = edges_of_worker_[from.worker].data() + from.first;
     for (std::size_t e = from.begin[tile]; e < from.begin[tile + 1]; ++e)
-      visit(edges[e].listed, first + edges[e].lister);
+      visit(from.edges[e].listed, first + from.edges[e].lister);
   }
 }
 

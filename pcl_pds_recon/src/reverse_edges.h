@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <pcl_pds_recon/neighbor_graph.h>
@@ -52,9 +54,27 @@ class ReverseEdges
   };
   struct Tile
   {
-    unsigned worker = 0;               ///< whose list the edges are in
-    std::size_t first = 0;             ///< where they begin in it
+    PackedEdge* edges = nullptr;
     std::vector<std::uint32_t> begin;  ///< by tile that they lead to: its first edge, of these; empty if there are none
+  };
+
+  /** \brief Memory for the edges of one worker's tiles. */
+  class Chunks
+  {
+   public:
+    PackedEdge* take(std::size_t count)
+    {
+      constexpr std::size_t usual_size = std::size_t{1} << 20;  // edges: two huge pages
+      if (chunks_.empty() || chunks_.back().size() - taken_ < count) {
+        chunks_.emplace_back(std::max(count, usual_size));
+        taken_ = 0;
+      }
+      return chunks_.back().data() + std::exchange(taken_, taken_ + count);
+    }
+
+   private:
+    std::vector<PointArray<PackedEdge>> chunks_;
+    std::size_t taken_ = 0;  ///< of the last chunk
   };
 
   [[nodiscard]] std::uint16_t place_in_tile(std::uint32_t point) const
@@ -69,7 +89,7 @@ class ReverseEdges
   std::size_t point_count_;
   int tile_bits_;
   std::vector<Tile> tiles_;
-  std::vector<PointArray<PackedEdge>> edges_of_worker_;
+  std::vector<Chunks> chunks_of_worker_;
 };
 
 }  // namespace pds
