@@ -141,6 +141,7 @@ void run(const CommandLine& command_line)
   std::vector<std::string> warnings;
   const PointTable points = load_points(command_line, warnings);
   const double load_seconds = since_start.seconds();
+  const std::size_t load_peak = peak_rss_bytes();
 
   std::vector<Reconstruction> levels = reconstruct_table(points, command_line, progress);
 
@@ -151,6 +152,8 @@ void run(const CommandLine& command_line)
     report.seconds.save = since_save.seconds();
     report.seconds.total = since_start.seconds();
     report.peak_rss_bytes = peak_rss_bytes();
+    report.stage_peaks.insert(report.stage_peaks.begin(), {"load", load_peak});
+    report.stage_peaks.push_back({"save", report.peak_rss_bytes});
   });
   warnings.insert(warnings.end(), losses.begin(), losses.end());
   progress.finish();

@@ -23,6 +23,15 @@ Json seconds_json(const StageSeconds& seconds)
   return json;
 }
 
+Json peaks_json(const std::vector<StagePeak>& peaks)
+{
+  Json json = Json::object();
+  for (const StagePeak& peak : peaks) {
+    json[peak.stage] = peak.rss_bytes;
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string to_json(const Report& report)
@@ -60,6 +69,7 @@ std::string to_json(const Report& report)
                      {"threads", report.threads},
                      {"seconds", seconds_json(report.seconds)},
                      {"peak_rss_bytes", report.peak_rss_bytes},
+                     {"stage_peak_rss_bytes", peaks_json(report.stage_peaks)},
                      {"version", report.version}};
   constexpr int indent = 2;
   return json.dump(indent) + "\n";

@@ -78,7 +78,7 @@ class Run
 {
  public:
   Run(const PointCloudView& cloud, const Options& options, const Progress& progress)
-      : cloud_(cloud), options_(options), parallel_(options.threads), clock_(progress)
+      : cloud_(cloud), options_(options), parallel_(options.threads), clock_(progress, report_.stage_peaks)
   {
   }
 
@@ -195,6 +195,7 @@ class Run
     report_sampling(sampling, found_.points, report, parallel_);
     clock_.stop();
     report.seconds = report_.seconds;
+    report.stage_peaks = report_.stage_peaks;
     report.orientable = dual.orientable;
     report.filled_holes = dual.filled_holes;
     report.input_points = cloud_.size;
@@ -228,8 +229,8 @@ class Run
   const Options& options_;
   Parallel parallel_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  StageClock clock_;
   Report report_;
+  StageClock clock_;
   Neighborhoods found_;
   SurfaceEstimate surface_;
   Metric metric_;

@@ -132,6 +132,10 @@ TEST(Results, AreAsDescribed)
   EXPECT_EQ(report.k, 15);
   EXPECT_EQ(report.radius, 3 * report.sampling_interval);
   EXPECT_GT(report.peak_rss_bytes, 0U);
+  ASSERT_GE(report.stage_peaks.size(), 8U);
+  EXPECT_EQ(report.stage_peaks.front().stage, "neighbors");
+  for (std::size_t s = 1; s < report.stage_peaks.size(); ++s)
+    EXPECT_GE(report.stage_peaks[s].rss_bytes, report.stage_peaks[s - 1].rss_bytes) << report.stage_peaks[s].stage;
   EXPECT_FALSE(report.version.empty());
 
   ASSERT_EQ(mesh.voronoi.label.size(), points.size());

@@ -29,7 +29,7 @@ TEST(ReportJson, has_the_promised_keys)
       "curves closed_curves curve_radius boundary_loops "
       "nonmanifold_edges nonmanifold_vertices inconsistent_edges euler closed orientable filled_holes p99_distance "
       "merged_points outliers thinned_points smoothed refined_seeds min_seed_distance coverage_radius threads seconds "
-      "peak_rss_bytes version ");
+      "peak_rss_bytes stage_peak_rss_bytes version ");
   EXPECT_EQ(keys(json["seconds"]),
             "load neighbors weights sampling voronoi seed_graph faces holes orientation placement save total ");
 }
@@ -41,12 +41,14 @@ TEST(ReportJson, keeps_values)
   report.closed = true;
   report.radius = 0.1;
   report.seconds.seed_graph = 0.25;
+  report.stage_peaks = {{"neighbors", 100}, {"sampling", 200}};
   report.version = "1.2.3";
   const auto json = nlohmann::json::parse(to_json(report));
   EXPECT_EQ(json["euler"], -2);
   EXPECT_EQ(json["closed"], true);
   EXPECT_EQ(json["radius"], 0.1);
   EXPECT_EQ(json["seconds"]["seed_graph"], 0.25);
+  EXPECT_EQ(json["stage_peak_rss_bytes"]["sampling"], 200);
   EXPECT_EQ(json["version"], "1.2.3");
 }
 

@@ -68,11 +68,21 @@ TEST_F(Run, report_and_voronoi_file_agree_with_the_mesh)
   write("in.xyz", sphere_rows(point_count, 1, 0, 0) + "nan nan nan\n");
   ASSERT_EQ(run("--report r.json --voronoi v.ply in.xyz out.ply"), 0) << errors();
   EXPECT_EQ(files(), (Names{"in.xyz", "out.ply", "r.json", "v.ply"}));
-  const auto report = nlohmann::json::parse(read("r.json"));
+  const auto report = nlohmann::ordered_json::parse(read("r.json"));
   EXPECT_EQ(report["input_points"], point_count + 1);
   EXPECT_EQ(report["valid_points"], point_count);
   EXPECT_EQ(report["vertices"], read_points(path("out.ply"), Parallel(2)).size());
   EXPECT_GT(report["peak_rss_bytes"], 1000000);
+  std::vector<std::string> stages;
+  std::size_t peak = 1000000;
+  for (const auto& [stage, bytes] : report["stage_peak_rss_bytes"].items()) {
+    stages.push_back(stage);
+    EXPECT_GE(bytes, peak) << stage;
+    peak = bytes;
+  }
+  EXPECT_EQ(stages.front(), "load");
+  EXPECT_EQ(stages.back(), "save");
+  EXPECT_EQ(peak, report["peak_rss_bytes"]);
   const auto& seconds = report["seconds"];
   EXPECT_GT(seconds["load"], 0);
   EXPECT_GT(seconds["save"], 0);

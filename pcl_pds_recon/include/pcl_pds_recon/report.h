@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace pds
 {
@@ -22,6 +23,13 @@ struct StageSeconds
   double placement = 0;    ///< moving the vertices off the points and measuring their distance, if asked for
   double save = 0;         ///< writing the output file (command tool)
   double total = 0;        ///< the whole run
+};
+
+/** \brief How much memory the process had taken at most when a stage ended: what the stage that raised it needs. */
+struct StagePeak
+{
+  std::string stage;        ///< as progress names it; load and save belong to the caller
+  std::size_t rss_bytes{};  ///< resident memory, 0 if unknown
 };
 
 /** \brief What the reconstruction did, and the certificate of what it made. */
@@ -64,7 +72,8 @@ struct Report
   unsigned threads = 0;            ///< worker threads used
   StageSeconds seconds;            ///< where the time went
   std::size_t peak_rss_bytes = 0;  ///< peak resident memory of the process, 0 if unknown
-  std::string version;             ///< version of the library
+  std::vector<StagePeak> stage_peaks;  ///< in the order in which the stages first ended
+  std::string version;                 ///< version of the library
 };
 
 }  // namespace pds
