@@ -68,7 +68,10 @@ class FramedCloud
 {
  public:
   FramedCloud(const PointCloudView& cloud, const OrderedPoints& points)
-      : cloud_(cloud), origin_(points.origin), per_unit_(1 / points.unit)
+      : cloud_(cloud),
+        origin_(points.origin),
+        half_per_unit_(std::ldexp(1.0, -(std::ilogb(points.unit) / 2))),
+        rest_per_unit_(std::ldexp(1.0, std::ilogb(points.unit) / 2 - std::ilogb(points.unit)))
   {
   }
 
@@ -79,7 +82,7 @@ class FramedCloud
    * Not inlined: GCC 12 leaves out the rounding where it vectorises a conversion to float and back to double. */
   [[nodiscard, gnu::noinline]] Eigen::Vector3f position(const Eigen::Vector3d& p) const
   {
-    return ((p - origin_) * per_unit_).cast<float>();
+    return ((p - origin_) * half_per_unit_ * rest_per_unit_).cast<float>();
   }
   [[nodiscard]] Eigen::Vector3f position(std::uint32_t index) const { return position(cloud_.positions[index]); }
 
@@ -106,7 +109,8 @@ class FramedCloud
 
   const PointCloudView& cloud_;
   Eigen::Vector3d origin_;
-  double per_unit_;  ///< exact, as the unit is a power of two
+  // Factors of the unit's inverse, which would overflow for the least of units. Exact, for it is a power of two.
+  double half_per_unit_, rest_per_unit_;
 };
 
 /** \brief Sorts points along the curve; those that share a cell of it by FramedCloud::before or, if they are many,
@@ -207,9 +211,7 @@ Bounds set_frame(const PointCloudView& cloud, OrderedPoints& points, const Paral
   if (frame.finite_points == 0) return frame.bounds;
   const double extent = frame.bounds.extent();
   // The median may lie in a corner of the box: twice the extent, rounded up to a power of two, brings all into reach.
-  // Not below the normal numbers: the inverse of such a unit would overflow.
-  if (extent > 0 && std::isfinite(extent))
-    points.unit = std::max(std::ldexp(1.0, std::ilogb(extent) + 2), std::numeric_limits<double>::min());
+  if (extent > 0 && std::isfinite(extent)) points.unit = std::ldexp(1.0, std::ilogb(extent) + 2);
   if (!std::isfinite(extent) || !std::isfinite(points.unit))
     throw InvalidInput("the extent of the points overflows; scale the coordinates down");
   points.origin = frame.median;
