@@ -29,7 +29,7 @@ class CurveRun
 {
  public:
   CurveRun(const PointCloudView& cloud, const Options& options, const Progress& progress)
-      : cloud_(cloud), options_(options), parallel_(options.threads), clock_(progress)
+      : cloud_(cloud), options_(options), parallel_(options.threads), clock_(progress, report_.stage_peaks)
   {
   }
 
@@ -149,8 +149,8 @@ class CurveRun
   const Options& options_;
   Parallel parallel_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  StageClock clock_;
   Report report_;
+  StageClock clock_;
   OrderedPoints points_;
   NeighborGraph graph_;
   PointComponents components_;

@@ -26,6 +26,10 @@ constexpr double fold_cosine = -0.5;     // of the normals of two faces that enc
 // the new diagonal distances change more than that: half of it is asked for.
 constexpr double least_gap2 = 3;  // over the price
 
+// Between the diagonals, 0.5 is half way; normals at creases are means. Two in three edges are ruled out by this.
+constexpr double least_height = 0.25;
+constexpr double least_upright = 0.2;  // cosine: steeper normals tell nothing about heights
+
 constexpr std::size_t point_stride = 4;  // every fourth point: about seven for the two faces
 // Farther from all faces at its seed a point is off the mesh's rim, or on another sheet.
 constexpr double farthest2 = 0.3;  // squared radii
@@ -81,13 +85,14 @@ struct Flip
 class EdgeFlipper
 {
  public:
-  EdgeFlipper(const std::vector<Vector3d>& position,
+  EdgeFlipper(const SeedGeometry& seeds,
               const PointArray<Eigen::Vector3f>& points,
               const PoissonDiskSampling& sampling,
               const GeodesicVoronoi& voronoi,
               const Parallel& parallel,
               std::vector<Triangle>& triangles)
-      : position_(position),
+      : position_(seeds.position),
+        normal_(seeds.normal),
         points_(points),
         per_radius_(1 / sampling.radius),
         voronoi_(voronoi),
@@ -165,7 +170,7 @@ class EdgeFlipper
     const double gap = across.dot(position_[c] - position_[a]);
     // Between the diagonals, the distance of a point changes by less than their gap.
     const auto pays = [&](double price) { return gap * gap >= least_gap2 * price * across.squaredNorm(); };
-    if (!pays(least_gain)) return false;
+    if (!pays(least_gain) || !is_foretold(flip, across / across.norm(), gap / across.norm())) return false;
     const auto [first, second] = flip.triangles();
     const double cosine = std::max(cosine_of_smallest_angle(first), cosine_of_smallest_angle(second));
     if (cosine > largest_cosine) return false;
@@ -175,6 +180,25 @@ class EdgeFlipper
     if (!pays(flip.price) || has_edge(c, d, fans)) return false;
     flip.plane = {plane_of(first), plane_of(second)};
     return !folds(flip, fans);
+  }
+
+  /** \brief True if the surface is rather at the other diagonal by what the normals at the corners tell: each gives the
+   * slope at one end of a diagonal, and the cubic with these slopes its height in the middle.
+   * \param up unit, across both diagonals
+   * \param gap from this diagonal up to the other */
+  [[nodiscard]] bool is_foretold(const Flip& flip, const Vector3d& up, double gap) const
+  {
+    const auto middle_height = [&](std::uint32_t from, std::uint32_t to) {
+      const Vector3d way = position_[to] - position_[from];
+      const auto rise = [&](std::uint32_t v) {
+        const double upright = normal_[v].dot(up);
+        return std::abs(upright) > least_upright ? -normal_[v].dot(way) / upright : 0.0;
+      };
+      return (rise(from) - rise(to)) / 8;
+    };
+    const auto& [a, b, c, d] = flip.corner;
+    const double height = 0.5 * (middle_height(a, b) + gap + middle_height(c, d));
+    return height / gap >= least_height;
   }
 
   [[nodiscard]] bool has_edge(std::uint32_t c, std::uint32_t d, const MeshFans& fans) const
@@ -274,6 +298,7 @@ class EdgeFlipper
   static constexpr std::uint32_t no_flip = 0xffffffffU;
 
   const std::vector<Vector3d>& position_;
+  const std::vector<Vector3d>& normal_;
   const PointArray<Eigen::Vector3f>& points_;
   double per_radius_;
   const GeodesicVoronoi& voronoi_;
@@ -285,14 +310,14 @@ class EdgeFlipper
 
 }  // namespace
 
-void flip_edges(const std::vector<Vector3d>& position,
+void flip_edges(const SeedGeometry& seeds,
                 const PointArray<Eigen::Vector3f>& points,
                 const PoissonDiskSampling& sampling,
                 const GeodesicVoronoi& voronoi,
                 const Parallel& parallel,
                 std::vector<Triangle>& triangles)
 {
-  EdgeFlipper flipper(position, points, sampling, voronoi, parallel, triangles);
+  EdgeFlipper flipper(seeds, points, sampling, voronoi, parallel, triangles);
   for (int round = 0; round < rounds && flipper.flip_round() > 0; ++round) {
   }
 }

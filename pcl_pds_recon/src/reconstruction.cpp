@@ -162,7 +162,7 @@ class Run
   {
     clock_.start("placement", 0.96, report_.seconds.placement);
     if (options_.relax == 0)  // which is asked for even triangles
-      flip_edges(dual.seeds.position, found_.points.position, sampling, dual.voronoi, parallel_, dual.triangles);
+      flip_edges(dual.seeds, found_.points.position, sampling, dual.voronoi, parallel_, dual.triangles);
     if (options_.placement == Placement::quadric)
       dual.placed =
           place_vertices(dual.seeds, dual.triangles, found_.points.position, sampling, dual.voronoi, parallel_);

@@ -18,8 +18,14 @@ struct Cells
 {
   /** \param height of the surface above the points of the square that the seeds span */
   template <typename Height>
-  Cells(const Points& seeds, double half_side, const Height& height) : position(seeds)
+  Cells(const Points& seeds, double half_side, const Height& height)
   {
+    geometry.position = seeds;
+    constexpr double step = 0.1;
+    for (const Eigen::Vector3d& s : seeds)
+      geometry.normal.push_back(Eigen::Vector3d(height(s.x() - step, s.y()) - height(s.x() + step, s.y()),
+                                                height(s.x(), s.y() - step) - height(s.x(), s.y() + step), 2 * step)
+                                    .normalized());
     constexpr int rows = 40;
     std::vector<std::vector<std::uint32_t>> cells(seeds.size());
     for (int i = 0; i < rows * rows; ++i) {
@@ -43,11 +49,11 @@ struct Cells
 
   [[nodiscard]] std::vector<pds::Triangle> flipped(std::vector<pds::Triangle> triangles) const
   {
-    pds::flip_edges(position, points, sampling, voronoi, pds::Parallel(1), triangles);
+    pds::flip_edges(geometry, points, sampling, voronoi, pds::Parallel(1), triangles);
     return triangles;
   }
 
-  Points position;
+  pds::SeedGeometry geometry;
   pds::PointArray<Eigen::Vector3f> points;
   pds::PoissonDiskSampling sampling;
   pds::GeodesicVoronoi voronoi;

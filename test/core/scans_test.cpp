@@ -87,14 +87,22 @@ TEST_P(RawScan, GivesASoundMesh)
   for (const double coefficient : {0.0, 0.25}) EXPECT_GT(run(scan, coefficient).facts.faces, 1000U);
 }
 
-/** \brief Many scans of one object: their gaps stay open where large, and tears do not. */
+/** \brief Many scans of one object: their gaps stay open where large, and tears do not. No scan has seen how the
+ * Dragon's foreleg, 4 % of its faces, goes on into the body: it is joined to it or not as the seeds fall. */
 TEST(RawScans, OfOneObjectBecomeOneSurfaceWithFewHoles)
 {
-  for (const auto& [file, loops] : {std::pair("dragon_stand_rawscans.ply", 12U), std::pair("bunny_rawscans.ply", 5U)}) {
+  struct Expected
+  {
+    const char* file;
+    std::size_t loops;
+    double share;
+  };
+  for (const auto& [file, loops, share] :
+       {Expected{"dragon_stand_rawscans.ply", 12, 0.95}, Expected{"bunny_rawscans.ply", 5, 0.99}}) {
     SKIP_IF_ABSENT(file);
     const Result result = run(Scan(file), 0);
     EXPECT_LE(result.facts.boundary_loops, loops) << file;
-    EXPECT_GE(result.largest_share(), 0.99) << file;
+    EXPECT_GE(result.largest_share(), share) << file;
   }
 }
 

@@ -5,8 +5,8 @@
 #include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/point_array.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
+#include <pcl_pds_recon/seed_graph.h>
 #include <pcl_pds_recon/triangle_complex.h>
-#include <Eigen/Core>
 #include <vector>
 
 namespace pds
@@ -18,11 +18,11 @@ namespace pds
  * nearer to these, and by so much that it is worth the smaller angles. No angle falls below a limit, no face folds onto
  * another one, and no edge is there twice: the mesh stays manifold, with the same vertices, rims and genus. O(points).
  *
- * \param position of the seeds, in radii
+ * \param seeds where they are, and their normals, which tell where a look at the points pays
  * \param points positions by rank, in units of position
  * \param triangles oriented and manifold
  */
-void flip_edges(const std::vector<Eigen::Vector3d>& position,
+void flip_edges(const SeedGeometry& seeds,
                 const PointArray<Eigen::Vector3f>& points,
                 const PoissonDiskSampling& sampling,
                 const GeodesicVoronoi& voronoi,
