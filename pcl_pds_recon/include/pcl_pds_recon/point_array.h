@@ -16,8 +16,8 @@ namespace pds
 /** \param bytes as many as were asked for */
 void free_large(void* memory, std::size_t bytes) noexcept;
 
-/** \brief While one of these lives, the pages of arrays that are gone serve those that come. The system would clear them
- * in between, which takes a tenth of a run of millions of points. Any number of runs may share them. */
+/** \brief While one of these lives, the pages of arrays that are gone serve those that come. The system would clear
+ * them in between, which takes a tenth of a run of millions of points. Any number of runs may share them. */
 class PageRecycling
 {
  public:
