@@ -61,6 +61,24 @@ TEST(MergePoints, takes_the_fields_of_all_and_types_that_hold_all_values)
   EXPECT_EQ(second[6], 2);
 }
 
+TEST(MergePoints, spreads_colors_of_eight_bits_among_those_of_sixteen)
+{
+  const auto colored = [](ScalarType type, const Values& row) {
+    return cloud({{"red", type}, {"green", type}, {"blue", type}, {"class", ScalarType::uint8}}, {row});
+  };
+  const PointTable bytes = colored(ScalarType::uint8, {0, 0, 0, 255, 1, 0, 6});
+  const PointTable words = colored(ScalarType::uint16, {1, 1, 1, 65535, 300, 7, 2});
+  const auto merge = [](const PointTable& a, const PointTable& b) {
+    return merge_points(clouds_of(a.with_fields({}, Parallel(1)), b.with_fields({}, Parallel(1))), Parallel(1));
+  };
+  const PointTable merged = merge(bytes, words);
+  EXPECT_EQ(merged.color_type(), ScalarType::uint16);
+  EXPECT_EQ(row_values(merged, 0), (Values{0, 0, 0, 65535, 257, 0, 6, 1}));
+  EXPECT_EQ(row_values(merged, 1), (Values{1, 1, 1, 65535, 300, 7, 2, 2}));
+  EXPECT_EQ(row_values(merge(words, bytes), 1), (Values{0, 0, 0, 65535, 257, 0, 6, 2}));
+  EXPECT_EQ(row_values(merge(bytes, bytes), 1), (Values{0, 0, 0, 255, 1, 0, 6, 2}));
+}
+
 TEST(MergePoints, keeps_a_sensor_origin_that_all_have)
 {
   const auto origin_of = [](double a, double b) {

@@ -83,14 +83,30 @@ void mark_missing(const PointTable& cloud, PointTable& merged, std::size_t begin
   }
 }
 
+/** Colours of 8 bits in a table whose colours have 16: 255 becomes 65535. */
+void widen_colors(PointTable& merged, std::size_t begin, std::size_t end)
+{
+  constexpr double factor = 257;
+  for (const char* name : {"red", "green", "blue"}) {
+    const Field& field = *merged.find(name);
+    for (std::size_t row = begin; row < end; ++row) {
+      merged.set_value(row, field, merged.value(row, field) * factor);
+    }
+  }
+}
+
 void append(const PointTable& cloud, double number, PointTable& merged, std::size_t first, const Parallel& parallel)
 {
   const RecordLayout layout = layout_of(cloud);
   const Field& scan = *merged.find(scan_field);
+  const bool widens_colors = cloud.color_type() == ScalarType::uint8 && merged.color_type() == ScalarType::uint16;
   constexpr std::size_t block = std::size_t{1} << 13;  // rows; they stay in the cache from field to field
   parallel.blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
     copy_records(cloud.record(begin), layout, end - begin, merged, first + begin);
     mark_missing(cloud, merged, first + begin, first + end);
+    if (widens_colors) {
+      widen_colors(merged, first + begin, first + end);
+    }
     for (std::size_t row = begin; row < end; ++row) {
       merged.set_value(first + row, scan, number);
     }
