@@ -32,6 +32,8 @@ bool is_held(const std::string& extension, const PointTable& points, const std::
          (!holds_positions_only && points.color_type() && is_one_of({"red", "green", "blue"}));
 }
 
+bool is_floating(ScalarType type) { return type == ScalarType::float32 || type == ScalarType::float64; }
+
 /** Whether a double takes all values of this field. */
 bool fits_double(const PointTable& points, const Field& field)
 {
@@ -65,16 +67,16 @@ std::vector<std::string> mesh_extensions()
 
 std::string lost_in_format(const std::string& extension, const PointTable& points, bool ascii)
 {
+  const bool rounds_decimals = extension == ".vtk" && ascii;  // VTK writes 6 digits of a float, 11 of a double
   std::vector<std::string> lost_fields;
   std::vector<std::string> rounded_fields;
   for (const Field& field : points.fields()) {
     if (!is_held(extension, points, field.name)) {
       lost_fields.push_back(field.name);
-    } else if (extension == ".ply" && !fits_double(points, field)) {
+    } else if ((rounds_decimals && is_floating(field.type)) || (extension == ".ply" && !fits_double(points, field))) {
       rounded_fields.push_back(field.name);
     }
   }
-  const bool rounds_all = extension == ".vtk" && ascii;
   const bool is_single_precision = extension == ".stl" || extension == ".glb";
   std::vector<std::string> losses;
   if (!lost_fields.empty()) {
@@ -89,7 +91,7 @@ std::string lost_in_format(const std::string& extension, const PointTable& point
   if (extension == ".glb" && points.has_normals() && points.find("nx")->type == ScalarType::float64) {
     losses.emplace_back("the last digits of the normals");
   }
-  if (rounds_all || (is_single_precision && points.has_double_positions())) {
+  if (is_single_precision && points.has_double_positions()) {
     losses.emplace_back("the last digits of the coordinates");
   }
   return boost::algorithm::join(losses, " and ");
