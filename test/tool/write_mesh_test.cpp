@@ -196,6 +196,16 @@ TEST(LostInFormat, names_normals_that_are_rounded)
   EXPECT_EQ(lost_in_format(".obj", points, false), "");
 }
 
+TEST(LostInFormat, says_which_colors_are_held)
+{
+  const PointTable points = table_with({{"x y z red green blue intensity", ScalarType::float32}}, 3);
+  const std::string lost = "the fields red green blue intensity";
+  EXPECT_EQ(lost_in_format(".glb", points, false), lost + " (colours only if all are uchar or all ushort)");
+  EXPECT_EQ(lost_in_format(".obj", points, false), lost + " (colours only if all are uchar or all ushort)");
+  EXPECT_EQ(lost_in_format(".stl", points, false), lost);
+  EXPECT_EQ(lost_in_format(".ply", points, false), "");
+}
+
 TEST(LostInFormat, names_what_a_format_cannot_hold)
 {
   const PointTable points = utm_points();

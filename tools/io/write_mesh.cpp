@@ -32,6 +32,12 @@ bool is_held(const std::string& extension, const PointTable& points, const std::
          (!holds_positions_only && points.color_type() && is_one_of({"red", "green", "blue"}));
 }
 
+/** Whether red, green and blue are there but of a type that does not say which value is white. */
+bool has_colors_of_odd_type(const PointTable& points)
+{
+  return !points.color_type() && points.find("red") && points.find("green") && points.find("blue");
+}
+
 bool is_floating(ScalarType type) { return type == ScalarType::float32 || type == ScalarType::float64; }
 
 /** Whether a double takes all values of this field. */
@@ -80,7 +86,9 @@ std::string lost_in_format(const std::string& extension, const PointTable& point
   const bool is_single_precision = extension == ".stl" || extension == ".glb";
   std::vector<std::string> losses;
   if (!lost_fields.empty()) {
-    losses.push_back("the fields " + list(lost_fields));
+    const bool has_odd_colors = extension != ".stl" && has_colors_of_odd_type(points);
+    losses.push_back("the fields " + list(lost_fields) +
+                     (has_odd_colors ? " (colours only if all are uchar or all ushort)" : ""));
   }
   if (!rounded_fields.empty()) {
     losses.push_back("the last digits of " + list(rounded_fields));
