@@ -2,6 +2,7 @@
 #include "io/las_reader.h"
 
 #include "io/laz_check.h"
+#include "io/record_reader.h"
 #include "las_testing.h"
 
 namespace pds
@@ -161,6 +162,24 @@ TEST(LasReader, says_what_it_does_not_read)
   EXPECT_EQ(read(with_waveforms.bytes()).not_read, "waveforms and extra bytes");
 }
 
+TEST(LasReader, says_that_the_header_announces_too_few_points)
+{
+  const auto not_read = [](std::uint8_t minor_version, std::uint32_t records_behind, const std::string& behind) {
+    LasFile file(minor_version, 0, 20);
+    file.add(las_record(1, 2, 3, 6));
+    file.set(235, static_cast<std::uint64_t>(file.bytes().size()));
+    file.set(243, records_behind);
+    return read(file.bytes() + behind).not_read;
+  };
+  const std::string point = las_record(4, 5, 6, 2) + std::string(4, '\0');
+  EXPECT_EQ(not_read(4, 0, point), data_after_points);
+  EXPECT_EQ(not_read(4, 1, point + point), "") << "an extended variable-length record";
+  EXPECT_EQ(not_read(4, 0, "padding"), "");
+  LasFile old(2, 0, 20);
+  old.add(las_record(1, 2, 3, 6));
+  EXPECT_EQ(read(old.bytes() + point).not_read, data_after_points);
+}
+
 TEST(LasReader, names_what_is_wrong)
 {
   LasFile good(2, 0, 20);
@@ -182,6 +201,7 @@ TEST(LasReader, names_what_is_wrong)
   EXPECT_NE(with(96, std::uint32_t{4000000000}).find("cut short"), std::string::npos);
   EXPECT_NE(with(107, std::uint32_t{4000000000}).find("cut short"), std::string::npos);
   EXPECT_NE(with(131, 0.0).find("scale"), std::string::npos);
+  EXPECT_NE(with(131, 1e300).find("scale"), std::string::npos);
   EXPECT_NE(with(155, std::numeric_limits<double>::quiet_NaN()).find("scale"), std::string::npos);
   LasFile wide(4, 6, 30);
   wide.add(las_record(1, 2, 3, 2));

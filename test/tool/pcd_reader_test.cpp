@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pcd_reader.h"
 
+#include "io/record_reader.h"
 #include "reader_testing.h"
 #include "temporary_directory.h"
 
@@ -102,6 +103,29 @@ TEST_F(PcdReader, reads_what_pcl_writes_of_any_cloud_as_pcl_reads_it)
       ASSERT_EQ(row_values(table, i), values) << name << ' ' << i;
     }
   }
+}
+
+TEST_F(PcdReader, says_that_the_header_announces_too_few_points)
+{
+  const std::string point = bytes_of(1.F) + bytes_of(2.F) + bytes_of(3.F);
+  EXPECT_EQ(parse(header(xyz, "1", "binary") + point + point).not_read, data_after_points);
+  EXPECT_EQ(parse(header(xyz, "1", "binary") + point + "padding").not_read, "");
+  EXPECT_EQ(parse(header(xyz, "1", "ascii") + "1 2 3\n\n4 5 6\n").not_read, data_after_points);
+  EXPECT_EQ(parse(header(xyz, "1", "ascii") + "1 2 3\n \n\n").not_read, "");
+}
+
+TEST_F(PcdReader, does_not_take_compressed_points_for_fewer)
+{
+  pcl::PCLPointCloud2 cloud;
+  const std::string ascii = write("ascii.pcd", header(xyz, "3", "ascii") + "1 2 3\n4 5 6\n7 8 0.1\n");
+  ASSERT_EQ(pcl::PCDReader().read(ascii, cloud), 0);
+  ASSERT_GE(pcl::PCDWriter().writeBinaryCompressed(path("compressed.pcd"), cloud), 0);
+  std::string file = read("compressed.pcd");
+  EXPECT_EQ(complaint_about(file), "");
+  for (const std::string key : {"WIDTH 3", "POINTS 3"}) {
+    file.replace(file.find(key) + key.size() - 1, 1, "2");
+  }
+  EXPECT_NE(complaint_about(file).find("more points than"), std::string::npos);
 }
 
 TEST_F(PcdReader, takes_the_sensor_origin_from_a_viewpoint_of_its_own)

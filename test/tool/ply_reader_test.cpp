@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/ply_reader.h"
 
+#include "io/record_reader.h"
 #include "reader_testing.h"
 
 #include <algorithm>
@@ -143,6 +144,23 @@ TEST(PlyReader, reads_many_blocks_of_any_layout_with_any_number_of_threads)
       }
     }
   }
+}
+
+TEST(PlyReader, says_that_the_header_announces_too_few_points)
+{
+  const std::string point = bytes_of(1.F) + bytes_of(2.F) + bytes_of(3.F);
+  const std::string little = "binary_little_endian";
+  EXPECT_EQ(read_ply(header(little, "1", xyz_float) + point + point).not_read, data_after_points);
+  EXPECT_EQ(read_ply(header(little, "1", xyz_float) + point + "padding").not_read, "");
+  const std::string list = "property list uchar float more\n";
+  const std::string row_with_list = point + bytes_of(std::uint8_t{1}) + bytes_of(4.F);
+  EXPECT_EQ(read_ply(header(little, "1", xyz_float + list) + row_with_list).not_read, "");
+  EXPECT_EQ(read_ply(header(little, "1", xyz_float + list) + row_with_list + row_with_list).not_read,
+            data_after_points);
+  EXPECT_EQ(read_ply(header("ascii", "1", xyz_float) + "1 2 3\n4 5 6\n").not_read, data_after_points);
+  EXPECT_EQ(read_ply(header("ascii", "1", xyz_float) + "1 2 3\n\n").not_read, "");
+  const std::string with_faces = xyz_float + "element face 1\nproperty list uchar int vertex_indices\n";
+  EXPECT_EQ(read_ply(header("ascii", "1", with_faces) + "1 2 3\n3 0 0 0\n").not_read, "");
 }
 
 TEST(PlyReader, names_what_is_wrong)

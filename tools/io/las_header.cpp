@@ -7,6 +7,7 @@
 #include <boost/endian/conversion.hpp>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 namespace pds
@@ -27,8 +28,10 @@ constexpr std::size_t record_bytes_at = 105;
 constexpr std::size_t legacy_count_at = 107;
 constexpr std::size_t scale_at = 131;
 constexpr std::size_t offset_at = 155;
-constexpr std::size_t header_bytes = 227;  // of versions 1.0 to 1.2
-constexpr std::size_t count_at = 247;      // from version 1.4 on
+constexpr std::size_t header_bytes = 227;              // of versions 1.0 to 1.2
+constexpr std::size_t extended_records_at = 235;       // from version 1.4 on
+constexpr std::size_t extended_record_count_at = 243;  // from version 1.4 on
+constexpr std::size_t count_at = 247;                  // from version 1.4 on
 constexpr std::size_t header_bytes_1_4 = 375;
 
 constexpr std::array<std::size_t, 11> standard_bytes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};  // by format
@@ -75,6 +78,28 @@ std::uint64_t parse_count(const std::string& header)
   return get<std::uint64_t>(header, count_at);
 }
 
+std::size_t parse_end(const std::string& header, std::size_t file_bytes)
+{
+  const bool has_extended_records =
+      get<std::uint8_t>(header, minor_version_at) >= 4 && get<std::uint32_t>(header, extended_record_count_at) > 0;
+  return has_extended_records ? std::min<std::uint64_t>(file_bytes, get<std::uint64_t>(header, extended_records_at))
+                              : file_bytes;
+}
+
+/** Whether all coordinates are numbers that a double holds with decimals; others are of a damaged header. */
+bool has_sensible_range(const LasHeader& header)
+{
+  constexpr double greatest_integer = std::numeric_limits<std::int32_t>::max();
+  constexpr double greatest_coordinate = 1e15;
+  for (std::size_t axis = 0; axis < header.scale.size(); ++axis) {
+    const double greatest = std::abs(header.scale[axis]) * greatest_integer + std::abs(header.offset[axis]);
+    if (header.scale[axis] == 0 || !(greatest <= greatest_coordinate)) {  // nor NaN
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::size_t las_standard_bytes(std::size_t point_format) { return standard_bytes.at(point_format); }
@@ -95,15 +120,13 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   header.record_bytes = get<std::uint16_t>(bytes, record_bytes_at);
   header.begin = get<std::uint32_t>(bytes, begin_at);
   header.count = parse_count(bytes);
+  header.end = parse_end(bytes, source.size());
   header.scale = get<std::array<double, 3>>(bytes, scale_at);
   header.offset = get<std::array<double, 3>>(bytes, offset_at);
-  const auto is_finite = [](double number) { return std::isfinite(number); };
   if (header.record_bytes < las_standard_bytes(header.point_format)) {
     throw_damaged("records shorter than their point format");
   }
-  if (!std::all_of(header.scale.begin(), header.scale.end(), is_finite) ||
-      !std::all_of(header.offset.begin(), header.offset.end(), is_finite) ||
-      std::count(header.scale.begin(), header.scale.end(), 0.0) > 0) {
+  if (!has_sensible_range(header)) {
     throw_damaged("an impossible scale or offset");
   }
   if (header.begin < header_bytes) {

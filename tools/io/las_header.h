@@ -24,6 +24,7 @@ struct LasHeader
   std::size_t record_bytes = 0;
   std::size_t begin = 0;  ///< of the first record in the file
   std::uint64_t count = 0;
+  std::size_t end = 0;  ///< of the points at the latest: extended variable-length records or the end of the file
   std::array<double, 3> scale{};   ///< of x, y and z: coordinate = scale * integer + offset
   std::array<double, 3> offset{};  ///< of x, y and z
   std::size_t header_bytes = 0;    ///< where the variable-length records begin

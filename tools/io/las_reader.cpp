@@ -8,6 +8,7 @@
 #include "io/record_reader.h"
 
 #include <array>
+#include <boost/algorithm/string/join.hpp>
 #include <cstring>
 #include <functional>
 #include <mutex>
@@ -172,13 +173,16 @@ void fill_scaled(PointTable& table, const ExtraScalar& scalar, const Block& bloc
 
 std::string what_is_not_read(const LasHeader& header, const ExtraBytes& extra)
 {
-  const bool has_waveforms = header.point_format == 4 || header.point_format == 5 || header.point_format >= 9;
-  std::string names = has_waveforms ? "waveforms" : "";
-  if (!extra.is_complete) {
-    names += has_waveforms ? " and " : "";
-    names += extra.scalars.empty() ? "extra bytes" : "some of the extra bytes";
+  std::vector<std::string> names;
+  if (header.point_format == 4 || header.point_format == 5 || header.point_format >= 9) {
+    names.emplace_back("waveforms");  // which lie behind the points
+  } else if (header.end >= header.begin && (header.end - header.begin) / header.record_bytes > header.count) {
+    names.emplace_back(data_after_points);
   }
-  return names;
+  if (!extra.is_complete) {
+    names.emplace_back(extra.scalars.empty() ? "extra bytes" : "some of the extra bytes");
+  }
+  return boost::algorithm::join(names, " and ");
 }
 
 }  // namespace

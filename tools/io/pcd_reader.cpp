@@ -133,6 +133,10 @@ PointTable read_ascii(const ByteSource& source, const PcdHeader& header)
     }
     copy_records(records.data(), layout, count, table, begin);
   }
+  std::string_view token;
+  if (scanner.next_token(token)) {
+    table.not_read = data_after_points;
+  }
   return table;
 }
 
@@ -142,7 +146,11 @@ PointTable read_binary(const ByteSource& source, const PcdHeader& header, const 
   if (layout.count > (source.size() - layout.begin) / layout.record_bytes) {
     throw_truncated();
   }
-  return read_records(source, layout, parallel);
+  PointTable table = read_records(source, layout, parallel);
+  if (has_data_after_points(layout, source.size())) {
+    table.not_read = data_after_points;
+  }
+  return table;
 }
 
 /** What compressed data hold: field by field, the scalars of all points. Padding is left out. */
@@ -165,6 +173,9 @@ std::string decompress(const ByteSource& source, const PcdHeader& header)
   constexpr std::uint64_t greatest_compression = 88;  // a match of LZF copies at most 264 bytes and takes three
   if (bytes > greatest_compression * compressed_bytes) {
     throw InvalidInput("holds compressed data of an impossible size: the file is damaged; write it again");
+  }
+  if (header.points < bytes / record_bytes) {  // where a field begins depends on the number of points
+    throw InvalidInput("holds compressed data of more points than its PCD header announces; write it again");
   }
   std::string compressed(compressed_bytes, '\0');
   source.read(begin, compressed.data(), compressed.size());

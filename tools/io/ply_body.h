@@ -49,6 +49,7 @@ class BinaryBody
   }
 
   [[nodiscard]] std::size_t remaining() const { return data_.size() - position_; }
+  [[nodiscard]] bool has_more(std::size_t least_row_bytes) const { return remaining() >= least_row_bytes; }
   static std::size_t least_bytes(ScalarType type) { return size_of(type); }
 
  private:
@@ -89,6 +90,11 @@ class AsciiBody
   }
 
   [[nodiscard]] std::size_t remaining() const { return size_ - scanner_.position(); }
+  [[nodiscard]] bool has_more(std::size_t /*least_row_bytes*/)
+  {
+    std::string_view token;
+    return scanner_.next_token(token);
+  }
   static std::size_t least_bytes(ScalarType /*type*/) { return 1; }
 
  private:

@@ -59,6 +59,13 @@ std::vector<Column> scalar_columns(const PlyElement& element)
   return columns;
 }
 
+/** Whether no rows of other elements, such as faces, follow. */
+bool is_last(const std::vector<PlyElement>& elements, std::size_t index)
+{
+  return std::all_of(elements.begin() + static_cast<std::ptrdiff_t>(index) + 1, elements.end(),
+                     [](const PlyElement& element) { return element.count == 0; });
+}
+
 /** Scalar by scalar: for text, and for lists, whose sizes are known only when they are met. */
 template <typename Body>
 PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std::size_t vertex_index)
@@ -81,6 +88,9 @@ PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std
   }
   for (std::size_t row = 0; row < table.size(); ++row) {
     read_row(body, targets, table, row);
+  }
+  if (is_last(elements, vertex_index) && body.has_more(std::max<std::size_t>(1, least_row_bytes))) {
+    table.not_read = data_after_points;
   }
   return table;
 }
@@ -124,7 +134,11 @@ PointTable read_binary_records(const ByteSource& source,
     }
   }
   layout.columns = scalar_columns(header.elements[vertex_index]);
-  return read_records(source, layout, parallel);
+  PointTable table = read_records(source, layout, parallel);
+  if (is_last(header.elements, vertex_index) && has_data_after_points(layout, source.size())) {
+    table.not_read = data_after_points;
+  }
+  return table;
 }
 
 }  // namespace

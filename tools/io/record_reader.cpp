@@ -75,6 +75,11 @@ bool is_same_layout(const RecordLayout& layout, const PointTable& table)
 
 }  // namespace
 
+bool has_data_after_points(const RecordLayout& layout, std::size_t end)
+{
+  return end >= layout.begin && layout.record_bytes > 0 && (end - layout.begin) / layout.record_bytes > layout.count;
+}
+
 PointTable make_table(const std::vector<Column>& columns, std::size_t size)
 {
   std::vector<Field> fields;
