@@ -52,7 +52,7 @@ pcl::PolygonMesh instead_of_gp3(const Cloud::ConstPtr& points)
   // [instead_of_gp3]
   pcl::PoissonDiskReconstruction<pcl::PointXYZ> reconstruction;
   reconstruction.setInputCloud(points);  // no normals
-  reconstruction.setRadiusFactor(2);     // as fine as cells can be
+  reconstruction.setRadiusFactor(2);     // finer than the default, 3; the limit is 1.5
   pcl::PolygonMesh mesh;
   reconstruction.reconstruct(mesh);
   // [instead_of_gp3]
