@@ -248,7 +248,8 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   const WitnessRule is_witness(sampling, threshold);
   std::vector<Surveyor> surveyors(parallel.threads());
   for (Surveyor& surveyor : surveyors) {
-    constexpr std::size_t per_cell = 8;  // neighbours, and corners; six are usual
+    // Growing would take the memory twice; what is not used takes none.
+    constexpr std::size_t per_cell = 16;  // neighbours, and corners; six to ten are usual
     surveyor.pairs.reserve(per_cell * sampling.seeds.size() / surveyors.size());
     surveyor.triples.reserve(per_cell * sampling.seeds.size() / surveyors.size());
   }

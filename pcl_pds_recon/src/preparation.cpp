@@ -87,7 +87,7 @@ Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& opt
     thin(found.radius);
     if (found.points.size() < points) join();
   }
-  found.graph.reach = {};  // of no more use
+  PointArray<Reach>().swap(found.graph.reach);  // of no more use
   return found;
 }
 

@@ -7,7 +7,6 @@
 #include <pcl_pds_recon/orientation.h>
 #include <pcl_pds_recon/outward_normals.h>
 #include <pcl_pds_recon/placement.h>
-#include <pcl_pds_recon/point_array.h>
 #include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/reconstruction.h>
 #include <pcl_pds_recon/scan_noise.h>
@@ -224,7 +223,6 @@ class Run
                                 given);
   }
 
-  const PageRecycling pages_;
   const PointCloudView& cloud_;
   const Options& options_;
   Parallel parallel_;

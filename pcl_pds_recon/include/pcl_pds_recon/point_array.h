@@ -16,17 +16,6 @@ namespace pds
 /** \param bytes as many as were asked for */
 void free_large(void* memory, std::size_t bytes) noexcept;
 
-/** \brief While one of these lives, the pages of arrays that are gone serve those that come. The system would clear
- * them in between, which takes a tenth of a run of millions of points. Any number of runs may share them. */
-class PageRecycling
-{
- public:
-  PageRecycling();
-  PageRecycling(const PageRecycling&) = delete;
-  PageRecycling& operator=(const PageRecycling&) = delete;
-  ~PageRecycling();
-};
-
 /** \brief Gives an array of values of the points memory from allocate_large(), and does not clear what has no default
  * value: each thread writes its part first. */
 template <typename T>
