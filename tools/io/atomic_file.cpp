@@ -125,6 +125,9 @@ void AtomicFile::throw_errno() const
 
 void AtomicFile::write(const void* bytes, std::size_t size)
 {
+  if (size == 0) {
+    return;  // an empty array may have no address, which the C library must not be given
+  }
   if (!stream_) {
     waiting_.append(static_cast<const char*>(bytes), size);
     return;
