@@ -33,8 +33,9 @@ export UBSAN_OPTIONS=print_stacktrace=1
 if [ "$preset" = asan-ubsan ]; then
   # dlopen() is the sanitizer's own here, which does not see the program's search path.
   export LD_LIBRARY_PATH="$PWD/build/$preset/tools/plugins${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
-  # Graphics drivers that are unloaded again leave memory behind that cannot be told by a library's name.
-  pictures='draws|screenshots'
+  # Graphics drivers that are unloaded again leave memory behind that cannot be told by a library's name, and threads that
+  # the search for leaks stumbles over ("Tracer caught signal 11").
+  pictures='draws|screenshots|ViewerWindowTest'
   ctest --preset "$preset" --parallel "$jobs" --exclude-regex "$pictures"
   ASAN_OPTIONS=detect_leaks=0 ctest --preset "$preset" --parallel "$jobs" --tests-regex "$pictures"
 else
