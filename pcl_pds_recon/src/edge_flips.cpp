@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include "face_plane.h"
+#include "face_kernel.h"
 #include "mesh_fans.h"
 #include "parallel_parts.h"
 
@@ -98,6 +98,7 @@ class EdgeFlipper
         voronoi_(voronoi),
         parallel_(parallel),
         triangles_(triangles),
+        fans_(triangles, seeds.position.size(), parallel, rounds),  // a round changes a vertex's fan once at most
         plane_(triangles.size()),
         fresh_(triangles.size(), 1)
   {
@@ -107,12 +108,11 @@ class EdgeFlipper
    * \return the number of edges flipped */
   std::size_t flip_round()
   {
-    const MeshFans fans(triangles_, position_.size(), parallel_);
     parallel_.each(triangles_.size(), faces_per_block, [&](std::size_t f) {
       if (fresh_[f] != 0) plane_[f] = plane_of(triangles_[f]);
     });
-    std::vector<Flip> flips = find_flips(fans);
-    measure(flips, fans);
+    std::vector<Flip> flips = find_flips();
+    measure(flips);
     flips.erase(std::remove_if(flips.begin(), flips.end(), [](Flip& flip) { return !is_worth_its_price(flip); }),
                 flips.end());
     std::sort(flips.begin(), flips.end(),
@@ -131,17 +131,17 @@ class EdgeFlipper
   }
 
   /** \brief Edges that may be flipped, as far as can be said without the points. */
-  [[nodiscard]] std::vector<Flip> find_flips(const MeshFans& fans) const
+  [[nodiscard]] std::vector<Flip> find_flips() const
   {
     using Flips = std::vector<Flip>;
     const auto find = [&](std::size_t begin, std::size_t end, Flips& flips) {
       for (auto face = static_cast<std::uint32_t>(begin); face < end; ++face)
         for (std::size_t side = 0; side < 3; ++side) {
-          const std::uint32_t other = fans.across(face, side);
+          const std::uint32_t other = fans_.across(face, side);
           if (other == TriangleComplex::no_face || other < face) continue;
           if (fresh_[face] == 0 && fresh_[other] == 0) continue;
           Flip flip = flip_at(face, side, other);
-          if (is_possible(flip, fans)) flips.push_back(flip);
+          if (is_possible(flip)) flips.push_back(flip);
         }
     };
     Flips flips;
@@ -163,7 +163,7 @@ class EdgeFlipper
   }
 
   /** \brief Looks at the shape of the four faces. Sets the price and the planes. */
-  bool is_possible(Flip& flip, const MeshFans& fans) const
+  bool is_possible(Flip& flip) const
   {
     const auto& [a, b, c, d] = flip.corner;
     const Vector3d across = (position_[b] - position_[a]).cross(position_[d] - position_[c]);
@@ -177,9 +177,9 @@ class EdgeFlipper
     const double cosine_now = std::max(cosine_of_smallest_angle(triangles_[flip.face[0]]),
                                        cosine_of_smallest_angle(triangles_[flip.face[1]]));
     flip.price = least_gain + angle_price * std::max(0.0, cosine - cosine_now);
-    if (!pays(flip.price) || has_edge(c, d, fans)) return false;
+    if (!pays(flip.price) || has_edge(c, d)) return false;
     flip.plane = {plane_of(first), plane_of(second)};
-    return !folds(flip, fans);
+    return !folds(flip);
   }
 
   /** \brief True if the surface is rather at the other diagonal by what the normals at the corners tell: each gives the
@@ -201,23 +201,23 @@ class EdgeFlipper
     return height / gap >= least_height;
   }
 
-  [[nodiscard]] bool has_edge(std::uint32_t c, std::uint32_t d, const MeshFans& fans) const
+  [[nodiscard]] bool has_edge(std::uint32_t c, std::uint32_t d) const
   {
-    return std::any_of(fans.begin(c), fans.end(c), [&](std::uint32_t face) {
+    return std::any_of(fans_.begin(c), fans_.end(c), [&](std::uint32_t face) {
       const Triangle& t = triangles_[face];
       return t[0] == d || t[1] == d || t[2] == d;
     });
   }
 
   /** \brief True if a new face folds onto the other one or one beside it, more than the old ones do. */
-  [[nodiscard]] bool folds(const Flip& flip, const MeshFans& fans) const
+  [[nodiscard]] bool folds(const Flip& flip) const
   {
     double now = plane_[flip.face[0]].normal().dot(plane_[flip.face[1]].normal());
     double flipped = flip.plane[0].normal().dot(flip.plane[1].normal());
     const std::uint32_t b = flip.corner[1];
     for (const std::uint32_t face : flip.face)
       for (std::size_t side = 0; side < 3; ++side) {
-        const std::uint32_t beside = fans.across(face, side);
+        const std::uint32_t beside = fans_.across(face, side);
         if (beside == TriangleComplex::no_face || beside == flip.face[0] || beside == flip.face[1]) continue;
         const Vector3d& normal = plane_[beside].normal();
         const bool at_b = triangles_[face][side] == b || triangles_[face][(side + 1) % 3] == b;
@@ -229,7 +229,7 @@ class EdgeFlipper
 
   /** \brief Measures how far the points are from the faces now and flipped. Each point of a cell counts for the face
    * at its seed that it is nearest to. */
-  void measure(std::vector<Flip>& flips, const MeshFans& fans) const
+  void measure(std::vector<Flip>& flips) const
   {
     std::vector<std::array<std::uint32_t, 3>> flip_of(triangles_.size(), {no_flip, no_flip, no_flip});
     std::vector<std::uint8_t> concerned(position_.size());
@@ -240,33 +240,45 @@ class EdgeFlipper
       flip_of[flip.face[1]][MeshFans::corner_of(triangles_[flip.face[1]], flip.corner[1])] = number;
     }
     parallel_.each(position_.size(), seeds_per_block, [&](std::size_t seed) {
-      if (concerned[seed] != 0) measure_cell(static_cast<std::uint32_t>(seed), flips, flip_of, fans);
+      if (concerned[seed] != 0) measure_cell(static_cast<std::uint32_t>(seed), flips, flip_of);
     });
   }
 
   void measure_cell(std::uint32_t seed,
                     std::vector<Flip>& flips,
-                    const std::vector<std::array<std::uint32_t, 3>>& flip_of,
-                    const MeshFans& fans) const
+                    const std::vector<std::array<std::uint32_t, 3>>& flip_of) const
   {
-    for (std::size_t i = voronoi_.cell_begin[seed]; i < voronoi_.cell_begin[seed + 1]; i += point_stride) {
-      const Vector3d point = points_[voronoi_.cell_point[i]].cast<double>() * per_radius_;
-      double now = farthest2;
-      const std::uint32_t* nearest = fans.end(seed);
-      for (const std::uint32_t* face = fans.begin(seed); face != fans.end(seed); ++face) {
-        const double distance2 = plane_[*face].distance2(point, now);
-        if (distance2 >= now) continue;
-        now = distance2;
-        nearest = face;
+    FacedPoints points{};
+    for (std::size_t i = voronoi_.cell_begin[seed]; i < voronoi_.cell_begin[seed + 1];) {
+      std::size_t count = 0;
+      for (; count < face_lanes && i < voronoi_.cell_begin[seed + 1]; ++count, i += point_stride) {
+        const Vector3d point = points_[voronoi_.cell_point[i]].cast<double>() * per_radius_;
+        points.x[count] = point.x();
+        points.y[count] = point.y();
+        points.z[count] = point.z();
       }
-      if (nearest == fans.end(seed)) continue;
-      for (const std::uint32_t number : flip_of[*nearest]) {
-        if (number == no_flip) continue;
-        Flip& flip = flips[number];
-        const double flipped = flip.plane[1].distance2(point, flip.plane[0].distance2(point, farthest2));
-        const auto* const corner = std::find(flip.corner.begin(), flip.corner.end(), seed);
-        flip.distances[static_cast<std::size_t>(corner - flip.corner.begin())] += {now, flipped, 1};
-      }
+      find_nearest_faces(instruction_set_, fans_.begin(seed), fans_.end(seed), plane_, farthest2, points);
+      for (std::size_t l = 0; l < count; ++l) measure_point(seed, points, l, flips, flip_of);
+    }
+  }
+
+  void measure_point(std::uint32_t seed,
+                     const FacedPoints& points,
+                     std::size_t lane,
+                     std::vector<Flip>& flips,
+                     const std::vector<std::array<std::uint32_t, 3>>& flip_of) const
+  {
+    const std::uint32_t* nearest = fans_.begin(seed) + points.nearest[lane];
+    if (nearest == fans_.end(seed)) return;
+    for (const std::uint32_t number : flip_of[*nearest]) {
+      if (number == no_flip) continue;
+      Flip& flip = flips[number];
+      const auto distance2 = [&](const FacePlane& plane) {
+        return plane.distance2(points.x[lane], points.y[lane], points.z[lane]);
+      };
+      const double flipped = std::min({farthest2, distance2(flip.plane[0]), distance2(flip.plane[1])});
+      const auto* const corner = std::find(flip.corner.begin(), flip.corner.end(), seed);
+      flip.distances[static_cast<std::size_t>(corner - flip.corner.begin())] += {points.distance2[lane], flipped, 1};
     }
   }
 
@@ -289,7 +301,7 @@ class EdgeFlipper
       const auto is_touched = [&](std::uint32_t v) { return touched[v] != 0; };
       if (std::any_of(flip.corner.begin(), flip.corner.end(), is_touched)) continue;
       for (const std::uint32_t v : flip.corner) touched[v] = 1;
-      for (std::size_t i = 0; i < 2; ++i) triangles_[flip.face[i]] = flip.triangles()[i];
+      fans_.flip(flip.face, flip.corner, triangles_);
       ++count;
     }
     return count;
@@ -304,7 +316,9 @@ class EdgeFlipper
   const GeodesicVoronoi& voronoi_;
   const Parallel& parallel_;
   std::vector<Triangle>& triangles_;
+  MeshFans fans_;
   std::vector<FacePlane> plane_;
+  InstructionSet instruction_set_ = best_instruction_set();
   std::vector<std::uint8_t> fresh_;  ///< by face: 1 if it is new, or waits to be flipped
 };
 

@@ -45,18 +45,24 @@ class FacePlane
     return {1 - second - third, second, third, way.dot(normal_)};
   }
 
-  /** \brief Squared distance of a point from the face, in squared radii, or the limit if that is less. Beyond a side it
-   * is only guessed: heights of faces are about a radius. */
-  [[nodiscard]] double distance2(const Eigen::Vector3d& point, double limit) const
+  /** \brief Squared distance of a point from the face, in squared radii. Beyond a side it is only guessed: heights of
+   * faces are about a radius. In plain arithmetic, of which loops over points become vector code. */
+  [[nodiscard]] double distance2(double x, double y, double z) const
   {
-    const Eigen::Vector3d way = point - origin_;
-    const double height = way.dot(normal_);
-    const double height2 = height * height;
-    if (!(height2 < limit)) return limit;
-    const double second = way.dot(second_);
-    const double third = way.dot(third_);
-    const double beyond = std::max(0.0, -std::min(1 - second - third, std::min(second, third)));
-    return std::min(limit, height2 + beyond * beyond);
+    const double dx = x - origin_.data()[0], dy = y - origin_.data()[1], dz = z - origin_.data()[2];
+    const auto along = [&](const Eigen::Vector3d& v) { return dx * v.data()[0] + dy * v.data()[1] + dz * v.data()[2]; };
+    const double height = along(normal_);
+    const double second = along(second_);
+    const double third = along(third_);
+    const double first = 1 - second - third;
+    const double lower = second < third ? second : third;
+    const double least = first < lower ? first : lower;
+    const double beyond = least < 0 ? least : 0;
+    return height * height + beyond * beyond;
+  }
+  [[nodiscard]] double distance2(const Eigen::Vector3d& point) const
+  {
+    return distance2(point.x(), point.y(), point.z());
   }
 
  private:

@@ -84,7 +84,7 @@ class CellShares
     const Sector* nearest = &sectors_.front();
     double least = std::numeric_limits<double>::infinity();
     for (const Sector& sector : sectors_) {
-      const double distance2 = sector.plane.distance2(point, least);
+      const double distance2 = sector.plane.distance2(point);
       if (distance2 >= least) continue;
       least = distance2;
       nearest = &sector;
