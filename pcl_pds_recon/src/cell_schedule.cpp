@@ -18,6 +18,13 @@ constexpr int place_bits = axes * side_bits;     // of a block's place in its ce
 constexpr std::uint64_t place_mask = (std::uint64_t{1} << place_bits) - 1;
 
 using Step = std::array<int, axes>;  // to a cell beside, -1 ... 1 along each axis
+constexpr std::size_t steps = 27;
+
+constexpr Step step_of(std::size_t number)
+{
+  const auto n = static_cast<int>(number);
+  return {n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1};
+}
 
 /** \brief Of the 64 blocks of the cell that lies a step away, a bit for each that touches the cell it was made from. */
 constexpr std::uint64_t touching_blocks(const Step& step)
@@ -31,6 +38,13 @@ constexpr std::uint64_t touching_blocks(const Step& step)
     }
     if (touches) touching |= std::uint64_t{1} << place;
   }
+  return touching;
+}
+
+constexpr std::array<std::uint64_t, steps> touching_blocks_by_step()
+{
+  std::array<std::uint64_t, steps> touching{};
+  for (std::size_t number = 0; number < steps; ++number) touching[number] = touching_blocks(step_of(number));
   return touching;
 }
 
@@ -150,17 +164,20 @@ std::size_t CellSchedule::find(std::uint64_t key) const
 
 void CellSchedule::append_surroundings(std::size_t cell, std::vector<RankRange>& patch) const
 {
+  static constexpr std::array<std::uint64_t, steps> touching = touching_blocks_by_step();
   const CellKeys keys(axis_bits_);
-  for (int dx = -1; dx <= 1; ++dx)
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dz = -1; dz <= 1; ++dz) {
-        const Step step{dx, dy, dz};
-        const std::size_t next = find(keys.next_to(cell_[cell], step));
-        if (next == cell_.size()) continue;
-        const std::uint64_t touching = touching_blocks(step);
-        for (std::size_t r = run_begin_[next]; r < run_begin_[next + 1]; ++r)
-          if ((touching >> (runs_[r].block & place_mask) & 1) != 0) patch.push_back(runs_[r].points);
-      }
+  for (std::size_t number = 0; number < steps; ++number) {
+    const std::size_t next = find(keys.next_to(cell_[cell], step_of(number)));
+    if (next == cell_.size()) continue;
+    for (std::size_t r = run_begin_[next]; r < run_begin_[next + 1]; ++r) {
+      const RankRange& points = runs_[r].points;
+      if ((touching[number] >> (runs_[r].block & place_mask) & 1) == 0) continue;
+      if (!patch.empty() && patch.back().end == points.begin)
+        patch.back().end = points.end;
+      else
+        patch.push_back(points);
+    }
+  }
 }
 
 }  // namespace pds
