@@ -4,4 +4,4 @@
 # them: tools/install_dependencies.sh installs the rest.
 set -eu
 DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends \
-  libcgal-dev libtbb-dev python3 python3-open3d python3-numpy meshlab xvfb xauth
+  libcgal-dev libtbb-dev python3 python3-matplotlib python3-open3d python3-numpy meshlab xvfb xauth
