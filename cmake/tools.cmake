@@ -21,6 +21,7 @@ find_package(
              RenderingCore
              RenderingFreeType
              RenderingOpenGL2)
+find_package(X11 QUIET)
 
 set(missing "")
 if(NOT TARGET Boost::program_options)
@@ -53,12 +54,13 @@ else()
   endif()
   if(TARGET pcl_pds_recon_compare)
     add_subdirectory(tools/compare)
-    if(VTK_FOUND)
+    if(VTK_FOUND AND X11_FOUND)
       add_subdirectory(tools/viewer)
-    else()
-      list(APPEND left_out "viewer and pictures of deviations (VTK not found: libvtk9-dev)")
     endif()
     add_subdirectory(tools/html)
+  endif()
+  if(NOT TARGET pcl_pds_viewer)
+    list(APPEND left_out "viewer, pictures of deviations and pages (one not found: libembree-dev, libvtk9-dev, libx11-dev)")
   endif()
 endif()
 

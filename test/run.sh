@@ -3,18 +3,22 @@
 # Installs the dependencies, builds everything and runs all tests.
 #   test/run.sh              optimised, warnings are errors (preset ci)
 #   test/run.sh --sanitize   with the address and undefined-behaviour sanitizers (preset asan-ubsan)
+#   test/run.sh --bare       as on a machine without PDAL, VTK, X11, Embree and npm (preset bare)
+# Further arguments go to ctest: test/run.sh --bare -L tool.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
 
+preset=ci
 case "${1-}" in
-  "") preset=ci ;;
   --sanitize) preset=asan-ubsan ;;
-  *)
-    echo "run.sh: unknown option '$1'; usage: test/run.sh [--sanitize]" >&2
+  --bare) preset=bare ;;
+  --?*)
+    echo "run.sh: unknown option '$1'; usage: test/run.sh [--sanitize|--bare] [CTEST_OPTION...]" >&2
     exit 2
     ;;
 esac
+[ "$preset" = ci ] || shift
 
 tools/install_dependencies.sh
 
@@ -29,6 +33,7 @@ fi
 cmake --preset "$preset" "${options[@]}"
 cmake --build --preset "$preset" --parallel "$jobs"
 
+tests=(ctest --preset "$preset" --parallel "$jobs" "$@")
 export UBSAN_OPTIONS=print_stacktrace=1
 if [ "$preset" = asan-ubsan ]; then
   # dlopen() is the sanitizer's own here, which does not see the program's search path.
@@ -36,8 +41,8 @@ if [ "$preset" = asan-ubsan ]; then
   # Graphics drivers that are unloaded again leave memory behind that cannot be told by a library's name, and threads that
   # the search for leaks stumbles over ("Tracer caught signal 11").
   pictures='draws|screenshots|ViewerWindowTest'
-  ctest --preset "$preset" --parallel "$jobs" --exclude-regex "$pictures"
-  ASAN_OPTIONS=detect_leaks=0 ctest --preset "$preset" --parallel "$jobs" --tests-regex "$pictures"
+  "${tests[@]}" --exclude-regex "$pictures"
+  ASAN_OPTIONS=detect_leaks=0 "${tests[@]}" --tests-regex "$pictures"
 else
-  ctest --preset "$preset" --parallel "$jobs"
+  "${tests[@]}"
 fi

@@ -32,6 +32,13 @@ for f in 2 3 6; do draw "radius_factor_$f" "$duck" -f "$f"; done
 for r in 0.05 0.1; do draw "radius_$r" "$duck" -r "$r"; done
 for a in 0 0.3 1; do draw "adaptive_$a" "$duck" -f 5 -a "$a"; done
 for s in 0 1; do draw "seed_$s" "$duck" -f 6 --seed "$s"; done
+for n in 500 2000 8000; do draw "vertices_$n" "$duck" -n "$n"; done
+for e in 0.02 0.006; do draw "max_error_$e" "$duck" --max-error "$e"; done
+draw max_error_quadric "$duck" --max-error 0.006 --placement quadric
+for steps in 0 15; do draw "relax_$steps" "$duck" -f 5 --relax "$steps"; done
+
+draw levels_0 "$duck" --levels 3
+for level in 1 2; do show "levels_$level" "$work/mesh_$level.ply"; done
 
 camera=35,40,1.2,z layers=mesh
 for p in point quadric; do draw "placement_$p" "$work/part.ply" -f 4 --placement "$p"; done
@@ -42,6 +49,10 @@ camera=35,15,1.6,z layers=mesh,edges,loops
 sed '1,/^end_header/d' "$work/voronoi.ply" |
   awk '{ d = ($1 - 0.45)^2 + ($2 + 0.5)^2 + ($3 + 0.2)^2; if (d > 0.008) print $1, $2, $3 }' >"$work/hole.xyz"
 for size in 5 15; do draw "hole_size_$size" "$work/hole.xyz" -f 4 --hole-size "$size"; done
+
+# The cells, as the viewer draws the diagram that --voronoi writes.
+env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" -f 6 --points --show cells --camera "$camera" --size 300x260 \
+  --screenshot "$output/voronoi.png" "$duck"
 
 # Witness points, from the field that --voronoi writes.
 layers=cloud
@@ -80,3 +91,5 @@ curve dimension_auto "$work/part.ply" "$work/ring.xyz" --dimension auto --show m
 camera=35,25,1.4,z layers=mesh
 draw class_all "$work/terrain.las"
 draw class_ground "$work/terrain.las" --class 2,9
+
+tools/documentation/draw_in_browser.py "$build" "$output"
