@@ -24,13 +24,13 @@ build=$(realpath "$1")
 cd "$(dirname "$0")/.."
 dragon=build/demo/dragon_vrip.ply
 
-if [ $action = check ]; then
+if [ "$action" = check ]; then
   exec python3 tools/documentation/check_documentation.py "$build"
 fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-if [ $action = measure ]; then
+if [ "$action" = measure ]; then
   [ -f "$dragon" ] || { echo "make_documentation.sh: $dragon is not there, tools/demo.sh fetches it" >&2; exit 1; }
   tools/documentation/measure_dragon.sh "$build" "$dragon" >"$work/table"
   sed -i -e "/^<!-- measured -->/,/^<!-- end -->/{/^|/d}" -e "/^<!-- measured -->/r $work/table" README.md

@@ -65,14 +65,18 @@ def picture(driver):
     return Image.open(io.BytesIO(base64.b64decode(png.split(",")[1]))).convert("RGBA")
 
 
-def settled_picture(driver):
-    """The picture when the camera has come to rest."""
-    pictures = [picture(driver)]
+def settled_picture(driver, take=picture):
+    """The picture when nothing moves any more."""
+    pictures = [take(driver)]
 
     def is_still():
         time.sleep(0.3)
-        pictures.append(picture(driver))
+        pictures.append(take(driver))
         return pictures[-1].tobytes() == pictures[-2].tobytes()
 
-    wait_until(is_still, "the camera rests")
+    wait_until(is_still, "the picture is still")
     return pictures[-1]
+
+
+def screenshot(driver):
+    return Image.open(io.BytesIO(driver.get_screenshot_as_png())).convert("RGB")

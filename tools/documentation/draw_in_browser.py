@@ -26,7 +26,7 @@ for (const tile of document.querySelectorAll('.figures div'))
 for (const section of document.querySelectorAll('section'))
   if (/^(Time|Counts|Parameters)/.test(section.textContent.trim())) section.remove();
 document.querySelector('footer').remove();
-return document.documentElement.scrollHeight;
+return Math.ceil(document.body.getBoundingClientRect().height);
 """
 
 
@@ -41,18 +41,15 @@ def draw_normals(build, directory, output):
 def draw_page(build, directory, output):
     page = directory / "report.html"
     subprocess.run([build / "tools/pcl_pds_recon", "-q", "--html", page, DUCK, directory / "duck.ply"], check=True)
-    width = 1200
-    with browser.chromium(width, 900) as driver:
+    width, height_of_window = 1200, 3000  # all of the page is to be seen at once
+    with browser.chromium(width, height_of_window) as driver:
         browser.open_page(driver, page)
         Select(driver.find_element(By.ID, "up")).select_by_visible_text("z")
         height = driver.execute_script(SHORTEN)
-        driver.set_window_size(width, height + 200)  # more than what headless Chromium takes off for a frame
         browser.wait_for_mesh(driver)
         browser.settled_picture(driver)
-        screenshot = directory / "page.png"
-        driver.save_screenshot(str(screenshot))
-        picture = Image.open(screenshot).convert("RGB").crop((0, 0, width, height))
-    picture.resize((width // 2, height // 2), Image.LANCZOS).save(output / "html.png", optimize=True)
+        picture = browser.settled_picture(driver, browser.screenshot)
+    picture.crop((0, 0, width, height)).resize((width // 2, height // 2), Image.LANCZOS).save(output / "html.png", optimize=True)
 
 
 def main():
