@@ -37,9 +37,6 @@ void warn_of_merge(const std::vector<std::string>& names,
     if (clouds[i].find(scan_field)) {
       warnings.push_back(stream_name(names[i]) + ": the field 'scan' is replaced by the number of the input");
     }
-    if (clouds[i].sensor_origin != clouds.front().sensor_origin) {
-      warnings.push_back(stream_name(names[i]) + ": has another sensor origin than the first input; none is used");
-    }
   }
 }
 

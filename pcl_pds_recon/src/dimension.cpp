@@ -67,10 +67,12 @@ class PartOfCloud
     for (const std::uint32_t i : indices) {
       positions_.push_back(cloud.positions[i]);
       if (cloud.normals) normals_.push_back(cloud.normals[i]);
+      if (cloud.viewpoints) viewpoints_.push_back(cloud.viewpoints[i]);
     }
     view_.size = indices.size();
     view_.positions = Vector3View(positions_.front().data(), sizeof(Eigen::Vector3d));
     if (cloud.normals) view_.normals = Vector3View(normals_.front().data(), sizeof(Eigen::Vector3d));
+    if (cloud.viewpoints) view_.viewpoints = Vector3View(viewpoints_.front().data(), sizeof(Eigen::Vector3d));
     view_.sensor_origin = cloud.sensor_origin;
     if (cloud.record_less)
       view_.record_less = [&cloud, &indices](std::uint32_t a, std::uint32_t b) {
@@ -83,7 +85,7 @@ class PartOfCloud
   [[nodiscard]] const PointCloudView& view() const { return view_; }
 
  private:
-  std::vector<Eigen::Vector3d> positions_, normals_;
+  std::vector<Eigen::Vector3d> positions_, normals_, viewpoints_;
   PointCloudView view_;
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pds
 {
@@ -36,7 +37,7 @@ class Component
     double vote = 0;
     if (closed_) return volume();
     if (!cues.normal.empty()) vote = agreement(cues.normal);
-    if (vote == 0 && cues.sensor_origin) vote = facing(*cues.sensor_origin);
+    if (vote == 0 && !cues.viewpoint.empty()) vote = facing(cues.viewpoint);
     if (vote == 0 && area_vector_.norm() > least_facing * area_) vote = upwardness();
     return vote != 0 ? vote : volume();
   }
@@ -71,10 +72,12 @@ class Component
     return sum;
   }
 
-  [[nodiscard]] double facing(const Vector3d& viewer) const
+  [[nodiscard]] double facing(const std::vector<Vector3d>& viewpoint) const
   {
     double sum = 0;
-    for (const Triangle& t : triangles) sum += area_vector(t).dot((viewer - position_[t[0]]).normalized());
+    for (const Triangle& t : triangles)
+      for (const std::uint32_t v : t)
+        if (viewpoint[v].allFinite()) sum += area_vector(t).dot((viewpoint[v] - position_[v]).normalized());
     return sum;
   }
 
@@ -94,7 +97,30 @@ class Component
   Vector3d centroid_ = Vector3d::Zero();
 };
 
+/** \brief Where the sensor stood that saw a point; NaN if nobody says. */
+Eigen::Vector3d viewpoint(const PointCloudView& cloud, std::size_t point)
+{
+  const auto unknown = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (cloud.viewpoints)
+    if (const Eigen::Vector3d own = cloud.viewpoints[point]; own.allFinite()) return own;
+  return cloud.sensor_origin.value_or(unknown);
+}
+
 }  // namespace
+
+OrientationCues orientation_cues(const PointCloudView& cloud,
+                                 const OrderedPoints& points,
+                                 const PoissonDiskSampling& sampling)
+{
+  OrientationCues cues;
+  if (cloud.normals)
+    for (const std::uint32_t rank : sampling.seeds) cues.normal.push_back(cloud.normals[points.input_index[rank]]);
+  if (!cloud.viewpoints && !cloud.sensor_origin) return cues;
+  for (const std::uint32_t rank : sampling.seeds)
+    cues.viewpoint.emplace_back((viewpoint(cloud, points.input_index[rank]) - points.origin) /
+                                (points.unit * sampling.radius));
+  return cues;
+}
 
 std::vector<Triangle> orient_faces(const TriangleComplex& complex, const OrientationCues& cues)
 {

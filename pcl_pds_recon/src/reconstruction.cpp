@@ -32,16 +32,6 @@ namespace pds
 namespace
 {
 
-OrientationCues cues_for(const PointCloudView& cloud, const OrderedPoints& points, const PoissonDiskSampling& sampling)
-{
-  OrientationCues cues;
-  if (cloud.normals)
-    for (const std::uint32_t rank : sampling.seeds) cues.normal.push_back(cloud.normals[points.input_index[rank]]);
-  if (cloud.sensor_origin)
-    cues.sensor_origin = (*cloud.sensor_origin - points.origin) / (points.unit * sampling.radius);
-  return cues;
-}
-
 /** \brief Leaves out what names a seed that may not be a vertex.
  * \param allowed ranks, ascending */
 void keep_evidence(const PoissonDiskSampling& sampling,
@@ -138,7 +128,7 @@ class Run
     }
 
     clock_.start("orientation", 0.95, report_.seconds.orientation);
-    dual.triangles = orient_faces(complex, cues_for(cloud_, found_.points, sampling));
+    dual.triangles = orient_faces(complex, orientation_cues(cloud_, found_.points, sampling));
     return dual;
   }
 

@@ -197,5 +197,37 @@ TEST(Orientation, FollowsNormalsThenTheSensor)
   }
 }
 
+/** \brief Two scans of a wall each, of which one stood above and one below: nothing but that tells the sides. */
+TEST(Orientation, FollowsTheViewpointOfEachScan)
+{
+  const Points above = plane(5000);
+  const Points points = joined(above, plane(5000, -3));
+  for (const double side : {-1.0, 1.0}) {
+    Points viewpoints(above.size(), {0.5, 0.5, 5 * side});
+    viewpoints.resize(points.size(), {0.5, 0.5, -5 * side});
+    pds::PointCloudView cloud = view_of(points);
+    cloud.viewpoints = pds::Vector3View(viewpoints.front().data(), sizeof(Eigen::Vector3d));
+    const pds::Reconstruction mesh = pds::reconstruct(cloud, {});
+    EXPECT_EQ(mesh.report.components, 2U);
+    const Points v = vertex_positions(mesh, points);
+    for (const auto& t : mesh.triangles) {
+      const double up = (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).z();
+      ASSERT_GT(up * side * (v[t[0]].z() > -1 ? 1 : -1), 0.0);
+    }
+  }
+}
+
+/** \brief Where a point has no viewpoint of its own, that of the cloud counts. */
+TEST(Orientation, TakesTheSensorOriginForUnknownViewpoints)
+{
+  const Points points = plane(5000);
+  const Points unknown(points.size(), Eigen::Vector3d::Constant(std::nan("")));
+  pds::PointCloudView cloud = view_of(points);
+  cloud.viewpoints = pds::Vector3View(unknown.front().data(), sizeof(Eigen::Vector3d));
+  EXPECT_GT(upward(pds::reconstruct(cloud, {}), points), 0.0);
+  cloud.sensor_origin = Eigen::Vector3d(0, 0, -5);
+  EXPECT_LT(upward(pds::reconstruct(cloud, {}), points), 0.0);
+}
+
 }  // namespace
 }  // namespace pds_test

@@ -77,7 +77,7 @@ TEST(Orientation, FollowsTheNormals)
   for (const double z : {-1.0, 1.0}) {
     OrientationCues cues;
     cues.normal.assign(4, {0, 0, z});
-    cues.sensor_origin = Eigen::Vector3d(0, 0, -10 * z);  // normals go first
+    cues.viewpoint.assign(4, {0, 0, -10 * z});  // normals go first
     for (std::uint64_t seed = 0; seed < 4; ++seed) EXPECT_NEAR(facing(cues, seed), z, 1e-12);
   }
 }
@@ -94,7 +94,17 @@ TEST(Orientation, FacesTheSensor)
 {
   for (const double z : {-3.0, 3.0}) {
     OrientationCues cues;
-    cues.sensor_origin = Eigen::Vector3d(0.5, 0.2, z);
+    cues.viewpoint.assign(4, {0.5, 0.2, z});
+    for (std::uint64_t seed = 0; seed < 4; ++seed) EXPECT_GT(facing(cues, seed) * z, 0.0);
+  }
+}
+
+TEST(Orientation, FollowsTheViewpointsThatAreKnown)
+{
+  for (const double z : {-3.0, 3.0}) {
+    OrientationCues cues;
+    cues.viewpoint.assign(4, Eigen::Vector3d::Constant(std::nan("")));
+    cues.viewpoint[2] = {0.5, 0.2, z};
     for (std::uint64_t seed = 0; seed < 4; ++seed) EXPECT_GT(facing(cues, seed) * z, 0.0);
   }
 }

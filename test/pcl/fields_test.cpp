@@ -172,5 +172,15 @@ TEST(PoissonDiskReconstructionOrientation, FacesTheSensorWithoutNormals)
   }
 }
 
+TEST(PoissonDiskReconstructionOrientation, FacesTheViewpointsOfThePoints)
+{
+  const auto square = makeSquare<pcl::PointWithViewpoint>();
+  square->sensor_origin_ << 0.0f, 0.0f, -10.0f, 0.0f;  // the points' own viewpoints outweigh it
+  for (const float height : {10.0f, -10.0f}) {
+    for (auto& point : *square) point.vp_z = height;
+    EXPECT_GT(height * upwardArea(*square), 30.0);
+  }
+}
+
 }  // namespace
 }  // namespace pcl_test

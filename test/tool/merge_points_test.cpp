@@ -91,6 +91,21 @@ TEST(MergePoints, keeps_a_sensor_origin_that_all_have)
   EXPECT_FALSE(origin_of(5, 6));
 }
 
+TEST(MergePoints, gives_each_point_the_sensor_origin_of_its_cloud)
+{
+  std::vector<PointTable> clouds = clouds_of(cloud({}, {{1, 2, 3}}), cloud({}, {{4, 5, 6}}));
+  clouds.push_back(cloud({{"vp_x", ScalarType::float64}, {"vp_y", ScalarType::float64}, {"vp_z", ScalarType::float64}},
+                         {{7, 8, 9, 0.1, 0.2, 0.3}}));
+  clouds[0].sensor_origin = Eigen::Vector3d(10, 20, 30);
+  const PointTable merged = merge_points(std::move(clouds), Parallel(1));
+  EXPECT_EQ(describe_fields(merged), "x:float y:float z:float vp_x:double vp_y:double vp_z:double scan:ushort");
+  EXPECT_FALSE(merged.sensor_origin);
+  const PointCloudView view = merged.view();
+  EXPECT_EQ(view.viewpoints[0], Eigen::Vector3d(10, 20, 30));
+  EXPECT_TRUE(view.viewpoints[1].array().isNaN().all()) << "of the second nobody knows";
+  EXPECT_EQ(view.viewpoints[2], Eigen::Vector3d(0.1, 0.2, 0.3));
+}
+
 TEST(Classification, selects_points_under_any_of_its_names)
 {
   for (const char* name : {"classification", "Classification", "class", "scalar_Classification"}) {

@@ -82,6 +82,35 @@ TEST_F(RunPipe, merges_inputs_and_numbers_their_points)
   EXPECT_EQ(files(), (Names{"a.ply", "b.ply", "out.ply"}));
 }
 
+TEST_F(RunPipe, turns_each_scan_to_where_its_own_sensor_stood)
+{
+  const auto wall = [](double z, double sensor_z) {
+    std::string rows;
+    constexpr int side = 50;  // points
+    for (int i = 0; i < side; ++i) {
+      for (int j = 0; j < side; ++j) {
+        rows += std::to_string(i) + ' ' + std::to_string(j + 0.3 * (i % 3)) + ' ' + std::to_string(z) + '\n';
+      }
+    }
+    const std::string count = std::to_string(side * side);
+    return "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + count +
+           "\nHEIGHT 1\nVIEWPOINT 25 25 " + std::to_string(sensor_z) + " 1 0 0 0\nPOINTS " + count + "\nDATA ascii\n" +
+           rows;
+  };
+  for (const double side : {1.0, -1.0}) {
+    write("a.pcd", wall(0, 100 * side));
+    write("b.pcd", wall(-30, -100 * side));
+    ASSERT_EQ(run("-q --normals a.pcd b.pcd out.ply"), 0) << errors();
+    const PointTable mesh = read_points(path("out.ply"), Parallel(1));
+    ASSERT_GT(mesh.size(), 100U);
+    for (std::size_t row = 0; row < mesh.size(); ++row) {
+      const double of_scan = mesh.value(row, *mesh.find("scan")) == 1 ? side : -side;
+      ASSERT_EQ(mesh.value(row, *mesh.find("vp_z")), 100 * of_scan);
+      ASSERT_GT(mesh.value(row, *mesh.find("nz")) * of_scan, 0.9);
+    }
+  }
+}
+
 TEST_F(RunPipe, meshes_the_wanted_classes_of_a_las_file_and_keeps_its_coordinates_to_the_last_bit)
 {
   LasFile file(2, 1, 28);

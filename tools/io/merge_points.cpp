@@ -60,6 +60,20 @@ std::vector<Field> common_fields(const std::vector<PointTable>& clouds)
   return fields;
 }
 
+/** Adds the viewpoints' fields that are missing, of the type of the positions. */
+void add_viewpoints(std::vector<Field>& fields)
+{
+  const auto find = [&fields](const char* name) {
+    return std::find_if(fields.begin(), fields.end(), [name](const Field& field) { return field.name == name; });
+  };
+  const bool is_float = find("x")->type == ScalarType::float32;
+  for (const char* name : viewpoint_names) {
+    if (find(name) == fields.end()) {
+      fields.push_back({name, is_float ? ScalarType::float32 : ScalarType::float64});
+    }
+  }
+}
+
 RecordLayout layout_of(const PointTable& cloud)
 {
   RecordLayout layout;
@@ -79,6 +93,17 @@ void mark_missing(const PointTable& cloud, PointTable& merged, std::size_t begin
     const bool is_floating = field.type == ScalarType::float32 || field.type == ScalarType::float64;
     for (std::size_t row = begin; row < end && is_floating && !cloud.find(field.name); ++row) {
       merged.set_value(row, field, std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+}
+
+/** The sensor's place to each point of a cloud that has no viewpoints of its own. */
+void mark_viewpoint(const Eigen::Vector3d& origin, PointTable& merged, std::size_t begin, std::size_t end)
+{
+  for (std::size_t axis = 0; axis < viewpoint_names.size(); ++axis) {
+    const Field& field = *merged.find(viewpoint_names[axis]);
+    for (std::size_t row = begin; row < end; ++row) {
+      merged.set_value(row, field, origin[static_cast<Eigen::Index>(axis)]);
     }
   }
 }
@@ -104,6 +129,9 @@ void append(const PointTable& cloud, double number, PointTable& merged, std::siz
   parallel.blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
     copy_records(cloud.record(begin), layout, end - begin, merged, first + begin);
     mark_missing(cloud, merged, first + begin, first + end);
+    if (cloud.sensor_origin && merged.has_viewpoints() && !cloud.has_viewpoints()) {
+      mark_viewpoint(*cloud.sensor_origin, merged, first + begin, first + end);
+    }
     if (widens_colors) {
       widen_colors(merged, first + begin, first + end);
     }
@@ -123,7 +151,11 @@ PointTable merge_points(std::vector<PointTable> clouds, const Parallel& parallel
     size += cloud.size();
     have_same_origin = have_same_origin && cloud.sensor_origin == clouds.front().sensor_origin;
   }
-  PointTable merged(common_fields(clouds), size);
+  std::vector<Field> fields = common_fields(clouds);
+  if (!have_same_origin) {
+    add_viewpoints(fields);
+  }
+  PointTable merged(std::move(fields), size);
   if (have_same_origin) {
     merged.sensor_origin = clouds.front().sensor_origin;
   }

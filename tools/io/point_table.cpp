@@ -95,6 +95,10 @@ PointTable::PointTable(std::vector<Field> fields, std::size_t size) : fields_(st
   if (has_normals_) {
     gather_triple(fields_, normal_names, position_names.size());
   }
+  has_viewpoints_ = contains_all(fields_, viewpoint_names);
+  if (has_viewpoints_) {
+    gather_triple(fields_, viewpoint_names, position_names.size() + (has_normals_ ? normal_names.size() : 0));
+  }
   for (Field& field : fields_) {
     field.offset = record_bytes_;
     record_bytes_ += size_of(field.type);
@@ -202,6 +206,9 @@ PointCloudView PointTable::view() const
   view.positions = vectors_at(fields_.front());
   if (has_normals_) {
     view.normals = vectors_at(fields_[position_names.size()]);
+  }
+  if (has_viewpoints_) {
+    view.viewpoints = vectors_at(*find(viewpoint_names.front()));
   }
   view.sensor_origin = sensor_origin;
   view.record_less = [this](std::uint32_t a, std::uint32_t b) {

@@ -4,6 +4,7 @@
 #include <pcl_pds_recon/parallel.h>
 #include <pcl_pds_recon/point_cloud_view.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -74,11 +75,15 @@ struct Field
   std::size_t offset = 0;  ///< of the scalar in a record, in bytes; set by PointTable
 };
 
+/** \brief Names of the fields that say where the sensor stood that saw a point, as in pcl::PointWithViewpoint. */
+constexpr std::array<const char*, 3> viewpoint_names = {"vp_x", "vp_y", "vp_z"};
+
 /** \brief A point cloud as it stood in the file: one packed record of scalar fields per point, each kept to the last
  * bit.
  *
- * A record starts with x y z and, if all three are there, nx ny nz; the other fields follow in the order of the file.
- * Positions and normals are float if the file says so, otherwise double.
+ * A record starts with x y z and, if all three are there, nx ny nz, and likewise vp_x vp_y vp_z, where the sensor stood
+ * that saw the point; the other fields follow in the order of the file. Each three are float if the file says so,
+ * otherwise double.
  */
 class PointTable
 {
@@ -104,11 +109,12 @@ class PointTable
 
   [[nodiscard]] bool has_double_positions() const { return fields_.front().type == ScalarType::float64; }
   [[nodiscard]] bool has_normals() const { return has_normals_; }
+  [[nodiscard]] bool has_viewpoints() const { return has_viewpoints_; }
 
   /** \brief The type of red, green and blue if they are colours: all uchar, 0 ... 255, or all ushort, 0 ... 65535. */
   [[nodiscard]] std::optional<ScalarType> color_type() const;
 
-  /** \brief Where the sensor stood, if the file says so. */
+  /** \brief Where the sensor stood that saw the points without a viewpoint of their own, if the file says so. */
   std::optional<Eigen::Vector3d> sensor_origin;
 
   std::string not_read;  ///< what the file holds besides, as the end of a sentence; empty if nothing
@@ -129,6 +135,7 @@ class PointTable
   std::size_t record_bytes_ = 0;
   std::size_t size_ = 0;
   bool has_normals_ = false;
+  bool has_viewpoints_ = false;
   struct Free
   {
     void operator()(std::byte* memory) const { std::free(memory); }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
+#include <pcl_pds_recon/ordered_points.h>
+#include <pcl_pds_recon/point_cloud_view.h>
+#include <pcl_pds_recon/poisson_disk_sampling.h>
 #include <pcl_pds_recon/triangle_complex.h>
 
 namespace pds
@@ -13,13 +15,18 @@ namespace pds
 /** \brief What decides the side that is outside; positions are those of the complex. */
 struct OrientationCues
 {
-  std::vector<Eigen::Vector3d> normal;           ///< per vertex, from the input; empty if it has none
-  std::optional<Eigen::Vector3d> sensor_origin;  ///< where the scanner stood
+  std::vector<Eigen::Vector3d> normal;     ///< per vertex, from the input; empty if it has none
+  std::vector<Eigen::Vector3d> viewpoint;  ///< per vertex: where the sensor stood, or NaN; empty if nothing is known
 };
+
+/** \brief What the cloud tells of its seeds, in the order of these; positions are in radii. */
+[[nodiscard]] OrientationCues orientation_cues(const PointCloudView& cloud,
+                                               const OrderedPoints& points,
+                                               const PoissonDiskSampling& sampling);
 
 /** \brief The faces of the complex, each component turned to its outside.
  *
- * Closed components enclose a positive volume. Open ones follow, in this order, the input normals, the sensor origin,
+ * Closed components enclose a positive volume. Open ones follow, in this order, the input normals, the viewpoints,
  * the axis they face (a terrain faces up), the outside of the shape that they bend around. O(faces).
  */
 [[nodiscard]] std::vector<Triangle> orient_faces(const TriangleComplex& complex, const OrientationCues& cues);

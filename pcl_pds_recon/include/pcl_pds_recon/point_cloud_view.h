@@ -69,7 +69,10 @@ struct PointCloudView
   std::size_t size = 0;   ///< number of points, below 2^31
   Vector3View positions;  ///< coordinates, in any unit and at any distance from the origin
   Vector3View normals;    ///< optional; they decide the orientation of open surfaces. NaN or zero ones have no say
-  std::optional<Eigen::Vector3d> sensor_origin;  ///< optional; open surfaces without normals face it
+  /** \brief Optional: where the sensor stood that saw each point, as scans that were merged have different ones. Open
+   * surfaces without normals face it. NaN ones have no say. */
+  Vector3View viewpoints;
+  std::optional<Eigen::Vector3d> sensor_origin;  ///< optional; the viewpoint of points that have none of their own
 
   /** \brief Optional strict weak order of two points by all their field bytes; of several coincident points the first
    * by this order represents them, then the one of lowest index. It must be safe to call from several threads. */

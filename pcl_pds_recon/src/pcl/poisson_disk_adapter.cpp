@@ -168,6 +168,7 @@ pds::PointCloudView makeView(const PointSelection& selection, const NeighborSear
     throw pds::InvalidInput("the point type must hold x, y and z side by side, all float or all double");
   }
   view.normals = viewFields(rows, {"normal_x", "normal_y", "normal_z"});
+  view.viewpoints = viewFields(rows, {"vp_x", "vp_y", "vp_z"});
   if (rows.sensor_origin.allFinite() && !rows.sensor_origin.isZero(0.0)) view.sensor_origin = rows.sensor_origin;
   view.record_less = recordOrder(rows);
   if (search) {
