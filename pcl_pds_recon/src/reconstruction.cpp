@@ -139,8 +139,10 @@ class Run
     for (unsigned step = 0; step < options_.relax; ++step) {
       clock_.start("relaxation", 0.5, report_.seconds.sampling);
       // Where seeds have moved apart no dart is thrown between them, or there would soon be more and more.
+      const bool is_last = step + 1 == options_.relax;
       const GivenSeeds moved{
-          relaxation.step(dual.seeds, dual.triangles, found_.points, sampling, dual.voronoi, parallel_), disk_reach};
+          relaxation.step(dual.seeds, dual.triangles, found_.points, sampling, dual.voronoi, is_last, parallel_),
+          disk_reach};
       sampling = sample(sampling.radius, moved);
       dual = build_dual(sampling, {});
     }

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include "mesh_fans.h"
 
 namespace pds
 {
@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 constexpr double overshoot = 1.7;      // of a step beyond the centroid: a step of 1 stops short of evenness
 constexpr double longest_lead = 0.12;  // radii: goals farther from their seeds than points lie apart would wander off
 constexpr double least_gap = 0.75;     // of the mean distance to the seeds beside: closer ones make slivers
+constexpr int choices = 3;             // of points for even triangles; a fourth hardly changes anything
 
 /** \brief Area and area times centroid, summed up. */
 struct AreaMoment
@@ -49,18 +50,26 @@ void add_corner_of_cell(const Vector3d& a, const Vector3d& b, const Vector3d& c,
   cell.add(a, center, a + 0.5 * v, unit);
 }
 
+/** \brief True if faces lie all around the seed. */
+bool is_inner(std::uint32_t seed, const std::vector<Triangle>& triangles, const MeshFans& fans)
+{
+  return !fans.empty(seed) && std::all_of(fans.begin(seed), fans.end(seed), [&](std::uint32_t face) {
+    const std::size_t corner = MeshFans::corner_of(triangles[face], seed);
+    return fans.across(face, corner) != TriangleComplex::no_face &&
+           fans.across(face, (corner + 2) % 3) != TriangleComplex::no_face;
+  });
+}
+
 std::optional<Vector3d> centroid_of_cell(std::uint32_t seed,
                                          const std::vector<Vector3d>& position,
                                          const std::vector<Triangle>& triangles,
                                          const MeshFans& fans)
 {
+  if (!is_inner(seed, triangles, fans)) return std::nullopt;
   AreaMoment cell;
   for (const std::uint32_t* f = fans.begin(seed); f != fans.end(seed); ++f) {
     const Triangle& t = triangles[*f];
     const std::size_t corner = MeshFans::corner_of(t, seed);
-    if (fans.across(*f, corner) == TriangleComplex::no_face ||
-        fans.across(*f, (corner + 2) % 3) == TriangleComplex::no_face)
-      return std::nullopt;
     add_corner_of_cell(position[seed], position[t[(corner + 1) % 3]], position[t[(corner + 2) % 3]], cell);
   }
   if (cell.area <= 0) return std::nullopt;
@@ -86,6 +95,32 @@ bool crowds(std::uint32_t seed,
   return nearest * count < least_gap * sum;
 }
 
+/** \brief Sine of the smallest angle of a triangle. */
+double smallest_sine(const Vector3d& a, const Vector3d& b, const Vector3d& c)
+{
+  const std::array<double, 3> squared = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
+  const double product = squared[0] * squared[1] * squared[2];
+  const double doubled_area = (b - a).cross(c - a).norm();
+  return product > 0 ? doubled_area * std::sqrt(*std::min_element(squared.begin(), squared.end()) / product) : 0;
+}
+
+/** \brief Sum of the smallest sines of the triangles at a seed, if it were at \a place and the others at \a position.
+ */
+double evenness(std::uint32_t seed,
+                const Vector3d& place,
+                const std::vector<Vector3d>& position,
+                const std::vector<Triangle>& triangles,
+                const MeshFans& fans)
+{
+  double sum = 0;
+  for (const std::uint32_t* f = fans.begin(seed); f != fans.end(seed); ++f) {
+    const Triangle& t = triangles[*f];
+    const std::size_t corner = MeshFans::corner_of(t, seed);
+    sum += smallest_sine(place, position[t[(corner + 1) % 3]], position[t[(corner + 2) % 3]]);
+  }
+  return sum;
+}
+
 }  // namespace
 
 /** Seeds that were added since are where they should be. */
@@ -105,6 +140,7 @@ std::vector<std::uint32_t> Relaxation::step(const SeedGeometry& seeds,
                                             const OrderedPoints& points,
                                             const PoissonDiskSampling& sampling,
                                             const GeodesicVoronoi& voronoi,
+                                            bool is_last,
                                             const Parallel& parallel)
 {
   constexpr std::size_t block = 512;
@@ -134,10 +170,39 @@ std::vector<std::uint32_t> Relaxation::step(const SeedGeometry& seeds,
     const Vector3d lead = goal.position - seed;
     goal.position = seed + lead * std::min(1.0, longest_lead / std::max(lead.norm(), 1e-30));
   });
+  if (is_last) even_out(triangles, fans, points, sampling, voronoi);
   std::sort(goals_.begin(), goals_.end(), [](const Goal& a, const Goal& b) { return a.rank < b.rank; });
   std::vector<std::uint32_t> ranks;
   for (const Goal& goal : goals_) ranks.push_back(goal.rank);
   return ranks;
+}
+
+/** One seed after the other, so that each sees where those beside it are by then. */
+void Relaxation::even_out(const std::vector<Triangle>& triangles,
+                          const MeshFans& fans,
+                          const OrderedPoints& points,
+                          const PoissonDiskSampling& sampling,
+                          const GeodesicVoronoi& voronoi)
+{
+  const auto place_of = [&](std::uint32_t rank) -> Vector3d {
+    return points.position[rank].cast<double>() / sampling.radius;
+  };
+  std::vector<Vector3d> position;
+  for (const Goal& goal : goals_) position.push_back(place_of(goal.rank));
+  for (int choice = 0; choice < choices; ++choice) {
+    for (std::uint32_t s = 0; s < goals_.size(); ++s) {
+      if (!is_inner(s, triangles, fans)) continue;
+      double best = evenness(s, position[s], position, triangles, fans);
+      for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i) {
+        const Vector3d place = place_of(voronoi.cell_point[i]);
+        const double even = evenness(s, place, position, triangles, fans);
+        if (even <= best) continue;
+        best = even;
+        position[s] = place;
+        goals_[s].rank = voronoi.cell_point[i];
+      }
+    }
+  }
 }
 
 }  // namespace pds

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
+#include "mesh_fans.h"
 
 namespace pds
 {
@@ -18,18 +19,21 @@ namespace pds
  * A seed is the point of its cell that is nearest to where it should be; the latter is what is relaxed, lest seeds stop
  * at the first point that has no better one next to it. The centroid is that of the surface and not of the points,
  * whose random density would pull at the seeds: the cell's corners are the circumcentres of the triangles at its seed.
- * Seeds on the mesh's rim stay, or it would draw back.
+ * Seeds on the mesh's rim stay, or it would draw back. In the last step the triangles decide: there are many points
+ * about as near to the goal, and the seeds take those of their cells that make them most even.
  */
 class Relaxation
 {
  public:
   /** \brief One step. O(points).
+   * \param is_last whether no other follows
    * \return ranks of the new seeds, ascending */
   [[nodiscard]] std::vector<std::uint32_t> step(const SeedGeometry& seeds,
                                                 const std::vector<Triangle>& triangles,
                                                 const OrderedPoints& points,
                                                 const PoissonDiskSampling& sampling,
                                                 const GeodesicVoronoi& voronoi,
+                                                bool is_last,
                                                 const Parallel& parallel);
 
  private:
@@ -40,6 +44,12 @@ class Relaxation
   };
   [[nodiscard]] std::vector<Eigen::Vector3d> goals_of(const SeedGeometry& seeds,
                                                       const PoissonDiskSampling& sampling) const;
+
+  void even_out(const std::vector<Triangle>& triangles,
+                const MeshFans& fans,
+                const OrderedPoints& points,
+                const PoissonDiskSampling& sampling,
+                const GeodesicVoronoi& voronoi);
 
   std::vector<Goal> goals_;  ///< of the step before, by rank
 };

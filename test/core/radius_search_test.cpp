@@ -99,10 +99,18 @@ TEST(Levels, AreRefusedOutOfRangeOrRelaxed)
   EXPECT_THROW(static_cast<void>(pds::reconstruct_levels(view_of(points), options, 2)), pds::InvalidOption);
 }
 
-/** \brief Mean of the smallest angles of the faces, in degrees. */
-double mean_smallest_angle(const pds::Reconstruction& mesh, const Points& vertices)
+/** \brief How even the faces are. */
+struct Evenness
 {
-  double sum = 0;
+  double mean_smallest_angle = 0;  ///< degrees
+  double narrow_share = 0;         ///< of the faces: with an angle below 25 degrees
+};
+
+Evenness evenness(const pds::Reconstruction& mesh, const Points& points)
+{
+  const Points vertices = vertex_positions(mesh, points);
+  const auto count = static_cast<double>(mesh.triangles.size());
+  Evenness evenness;
   for (const auto& t : mesh.triangles) {
     double smallest = pi;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -110,24 +118,28 @@ double mean_smallest_angle(const pds::Reconstruction& mesh, const Points& vertic
       const Eigen::Vector3d v = vertices[t[(i + 2) % 3]] - vertices[t[i]];
       smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)));
     }
-    sum += smallest * 180 / pi;
+    evenness.mean_smallest_angle += smallest * 180 / pi / count;
+    evenness.narrow_share += smallest < 25 * pi / 180 ? 1 / count : 0;
   }
-  return sum / static_cast<double>(mesh.triangles.size());
+  return evenness;
 }
 
 TEST(Relaxation, EvensOutTheTriangles)
 {
   const Points points = torus(2 * cloud_size);
-  pds::Options options;
-  options.relax = 15;
-  const pds::Reconstruction mesh = reconstruct(points, options);
-  const MeshFacts facts = examine(mesh.triangles, vertex_positions(mesh, points));
-  EXPECT_EQ(facts.nonmanifold_edges + facts.nonmanifold_vertices + facts.inconsistent_edges + facts.folded_edges, 0U);
-  EXPECT_TRUE(mesh.report.closed);
-  EXPECT_EQ(mesh.report.euler, 0);
-  EXPECT_GE(mean_smallest_angle(mesh, vertex_positions(mesh, points)), 48.0);
-  const pds::Reconstruction before = reconstruct(points);
-  EXPECT_LT(mean_smallest_angle(before, vertex_positions(before, points)), 46.0);
+  EXPECT_LT(evenness(reconstruct(points), points).mean_smallest_angle, 46.0);
+  const std::pair<unsigned, double> expected_angles[] = {{1, 49.5}, {15, 50.5}};
+  for (const auto& [steps, expected] : expected_angles) {
+    pds::Options options;
+    options.relax = steps;
+    const pds::Reconstruction mesh = reconstruct(points, options);
+    const MeshFacts facts = examine(mesh.triangles, vertex_positions(mesh, points));
+    EXPECT_EQ(facts.nonmanifold_edges + facts.nonmanifold_vertices + facts.inconsistent_edges + facts.folded_edges, 0U);
+    EXPECT_TRUE(mesh.report.closed);
+    EXPECT_EQ(mesh.report.euler, 0);
+    EXPECT_GE(evenness(mesh, points).mean_smallest_angle, expected) << steps;
+    EXPECT_LT(evenness(mesh, points).narrow_share, 0.001) << steps;
+  }
 }
 
 TEST(Relaxation, KeepsTheRim)
