@@ -100,9 +100,9 @@ class Component
 /** \brief Where the sensor stood that saw a point; NaN if nobody says. */
 Eigen::Vector3d viewpoint(const PointCloudView& cloud, std::size_t point)
 {
-  const auto unknown = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Eigen::Vector3d unknown = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   if (cloud.viewpoints)
-    if (const Eigen::Vector3d own = cloud.viewpoints[point]; own.allFinite()) return own;
+    if (Eigen::Vector3d own = cloud.viewpoints[point]; own.allFinite()) return own;
   return cloud.sensor_origin.value_or(unknown);
 }
 
