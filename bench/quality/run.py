@@ -6,25 +6,19 @@ table of what came out.
 Needs python3-numpy and python3-open3d (bench/peers/install.sh). docs/quality.md has the columns.
 """
 import argparse
-import json
-import shutil
-import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-import open3d
 
-REPOSITORY = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REPOSITORY / "bench" / "peers"))
-import meshlab  # noqa: E402
-import peers  # noqa: E402
+from trials import add_folders, are_there, check_output, collapse_edges, compare, defects, reconstruct, sample
+
+import peers  # noqa: E402, found by trials
 import process  # noqa: E402
 
 SEED = 3
-BOX_MARGIN = 0.1  # outliers lie anywhere in the box of the mesh, enlarged by this share on each side
 ABSOLUTE_NORMAL_MEAN = (2 / numpy.pi) ** 0.5  # mean of |x| of a standard normal deviate
 
 
@@ -34,8 +28,8 @@ class Case:
     cloud: str  # file among the scans, or the mesh that is sampled
     reference: str
     options: tuple = ()
-    noise: float = 0  # standard deviation along the normal, in diagonals
-    outliers: float = 0  # share of the points
+    noise: float = 0  # as sample() takes them
+    outliers: float = 0
     samples: int = 0  # random points of the mesh; 0: the cloud's own points
     peers: bool = False  # also with other tools, at as many vertices
 
@@ -75,74 +69,19 @@ CASES = [
 ]
 
 
-def sample(case, mesh_file, cloud_file, seed):
-    """Random points, evenly over the area, and what is wrong with them."""
-    mesh = open3d.io.read_triangle_mesh(str(mesh_file))
-    corners = numpy.asarray(mesh.vertices)[numpy.asarray(mesh.triangles)]
-    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas = numpy.linalg.norm(normals, axis=1)
-    random = numpy.random.default_rng(seed)
-    scattered = round(case.outliers * case.samples)
-    face = random.choice(len(areas), case.samples - scattered, p=areas / areas.sum())
-    s, t = numpy.sqrt(random.random(len(face)))[:, None], random.random(len(face))[:, None]
-    a, b, c = (corners[face, i] for i in range(3))
-    points = a * (1 - s) + b * (s * (1 - t)) + c * (s * t)
-    low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
-    sigma = case.noise * numpy.linalg.norm(high - low)
-    points += normals[face] / areas[face][:, None] * random.normal(0, 1, len(face))[:, None] * sigma
-    margin = BOX_MARGIN * (high - low)
-    box = random.uniform(low - margin, high + margin, (scattered, 3))
-    cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(numpy.concatenate([points, box])))
-    open3d.io.write_point_cloud(str(cloud_file), cloud)
-
-
-def check_output(command):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"run.py: {' '.join(map(str, command))}: {done.stderr.strip() or done.stdout.strip()}")
-    return done.stdout
-
-
-def compare(given, mesh, reference):
-    tool = given.build / "tools" / "compare" / "pcl_pds_compare"
-    judged = json.loads(check_output([tool, "--json", mesh, reference]))
-    whole = open3d.io.read_triangle_mesh(str(mesh))
-    faces = numpy.asarray(whole.cluster_connected_triangles()[1])
-    judged["largest"] = faces.max() / faces.sum()
-    return judged
-
-
-def reconstruct(given, case, cloud, work):
-    mesh, report_file = work / f"{case.key}_mesh.ply", work / f"{case.key}.json"
-    tool = given.build / "tools" / "pcl_pds_recon"
-    check_output([tool, "-q", "--report", report_file, *case.options, cloud, mesh])
-    return json.loads(report_file.read_text(encoding="utf-8")), compare(given, mesh, given.scans / case.reference)
-
-
 def row(key, judged, case, report=None):
     certificate, relative = judged["certificate"], judged["relative"]
     there, back = relative["mesh_to_reference"], relative["reference_to_mesh"]
-    defects = [certificate[name] for name in ("nonmanifold_edges", "nonmanifold_vertices", "inconsistent_edges")]
     noise = ""
     if case.noise:
         mean = (there["mean"] + back["mean"]) / 2
         noise = f"{mean / (case.noise * ABSOLUTE_NORMAL_MEAN):.2f}"
     whole = certificate["closed"] and certificate["components"] == 1 and certificate["genus"] == 0
-    cells = [key, certificate["vertices"], " / ".join(map(str, defects)), certificate["components"],
+    cells = [key, certificate["vertices"], defects(certificate), certificate["components"],
              f"{judged['largest']:.2%}", certificate["boundary_loops"], certificate["genus"], ("yes" if whole else "no") if case.samples else "",
              f"{there['mean'] * 1e5:.1f} / {back['mean'] * 1e5:.1f}", f"{there['p95'] * 1e5:.1f}", noise,
              *((report["outliers"], f"{report['seconds']['total']:.2f}") if report else ("", ""))]
     return "| " + " | ".join("" if cell is None else str(cell) for cell in cells) + " |"
-
-
-def collapse_rows(given, case, work):
-    """The reference mesh, made coarser by MeshLab."""
-    script, mesh = work / f"{case.key}.mlx", work / f"{case.key}.ply"
-    script.write_text(meshlab.script(meshlab.edge_collapse(2 * int(case.options[1]))), encoding="ascii")
-    copy = work / case.cloud  # MeshLab may write beside its input
-    shutil.copy(given.scans / case.cloud, copy)
-    check_output(["xvfb-run", "-a", "meshlabserver", "-i", copy, "-o", mesh, "-s", script])
-    yield row(case.key, compare(given, mesh, given.scans / case.reference), case)
 
 
 def parameter_for(peer, setup, vertices, parameter):
@@ -170,38 +109,42 @@ def peer_rows(given, case, report, work):
             if peer.missing(setup):
                 raise process.Failure(f"not installed: {peer.package}")
             peer.run(setup, parameter_for(peer, setup, report["vertices"], report["radius"]), mesh)
-            yield row(f"{case.key}: {peer.title.rstrip(' †')}", compare(given, mesh, given.scans / case.reference), case)
+            yield row(f"{case.key}: {peer.title.rstrip(' †')}", compare(given.build, mesh, given.scans / case.reference), case)
         except process.Failure as failure:
             print(f"{case.key}: {peer.key}: {failure}", file=sys.stderr)
 
 
+def reconstruct_and_compare(given, case, cloud, work):
+    mesh = work / f"{case.key}_mesh.ply"
+    report = reconstruct(given.build, case.options, cloud, mesh)
+    return row(case.key, compare(given.build, mesh, given.scans / case.reference), case, report), report
+
+
 def rows(given, case, work):
+    mesh_file = given.scans / case.cloud
     if case.key == COLLAPSE:
-        yield from collapse_rows(given, case, work)
+        mesh = work / f"{case.key}.ply"
+        collapse_edges(mesh_file, 2 * int(case.options[1]), mesh)
+        yield row(case.key, compare(given.build, mesh, given.scans / case.reference), case)
         return
     if not case.samples:
-        report, judged = reconstruct(given, case, given.scans / case.cloud, work)
-        yield row(case.key, judged, case, report)
+        line, report = reconstruct_and_compare(given, case, mesh_file, work)
+        yield line
         if given.runners and case.peers:
             yield from peer_rows(given, case, report, work)
     for seed in range(SEED, SEED + given.samples) if case.samples else ():
         cloud = work / f"{case.key}.ply"
-        sample(case, given.scans / case.cloud, cloud, seed)
-        report, judged = reconstruct(given, case, cloud, work)
-        yield row(case.key, judged, case, report)
+        sample(mesh_file, cloud, case.samples, seed, case.noise, case.outliers)
+        yield reconstruct_and_compare(given, case, cloud, work)[0]
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scans", type=Path, default=REPOSITORY.parent / "shared" / "data", metavar="DIR",
-                        help="where the scans and meshes are (../shared/data)")
-    parser.add_argument("--build", type=Path, default=REPOSITORY / "build" / "release", metavar="DIR",
-                        help="a build with the tools (build/release)")
+    add_folders(parser)
     parser.add_argument("--runners", type=Path, metavar="DIR",
                         help="also run other tools on the raw scans, by the programs that bench/peers/run.py built there")
     parser.add_argument("--samples", type=int, default=1, metavar="N", help="of each mesh that is sampled, a row each (1)")
     parser.add_argument("--cases", nargs="+", metavar="NAME", default=[""], help="only cases whose names begin so")
-    parser.add_argument("--meshes", type=Path, metavar="DIR", help="keep clouds, meshes and reports here")
     return parser.parse_args()
 
 
@@ -214,12 +157,9 @@ def main():
         print("| case | vertices | defects | components | largest | loops | genus | closed, genus 0 "
               "| mean to / from reference | p95 | of noise | outliers | seconds |\n| --- " + "| --- " * 12 + "|")
         for case in chosen:
-            missing = [name for name in (case.cloud, case.reference) if not (given.scans / name).exists()]
-            if missing:
-                print(f"{case.key}: skipped, {given.scans / missing[0]} is not there (--scans)", file=sys.stderr)
-                continue
-            for line in rows(given, case, work):
-                print(line, flush=True)
+            if are_there(case.key, (given.scans / case.cloud, given.scans / case.reference)):
+                for line in rows(given, case, work):
+                    print(line, flush=True)
 
 
 main()
