@@ -43,8 +43,8 @@ def main():
     add_folders(parser)
     parser.add_argument("--steps", nargs="+", type=int, default=[0, 1, 5, 20], metavar="N", help="(0 1 5 20)")
     given = parser.parse_args()
-    print("| cloud | N | vertices | defects | components | loops | smallest angle: mean "
-          f"| below {SMALL_ANGLE}° | least | mean to / from reference | processor seconds |\n| --- " + "| --- " * 10 + "|")
+    print(f"| cloud | N | vertices | defects | components | loops | smallest angle: mean | below {SMALL_ANGLE}° | least "
+          "| mean to / from reference | processor seconds |\n| --- " + "| --- " * 10 + "|")
     with tempfile.TemporaryDirectory(prefix="relax.") as scratch:
         work = given.meshes or Path(scratch)
         work.mkdir(parents=True, exist_ok=True)

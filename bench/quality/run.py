@@ -78,7 +78,8 @@ def row(key, judged, case, report=None):
         noise = f"{mean / (case.noise * ABSOLUTE_NORMAL_MEAN):.2f}"
     whole = certificate["closed"] and certificate["components"] == 1 and certificate["genus"] == 0
     cells = [key, certificate["vertices"], defects(certificate), certificate["components"],
-             f"{judged['largest']:.2%}", certificate["boundary_loops"], certificate["genus"], ("yes" if whole else "no") if case.samples else "",
+             f"{judged['largest']:.2%}", certificate["boundary_loops"], certificate["genus"],
+             ("yes" if whole else "no") if case.samples else "",
              f"{there['mean'] * 1e5:.1f} / {back['mean'] * 1e5:.1f}", f"{there['p95'] * 1e5:.1f}", noise,
              *((report["outliers"], f"{report['seconds']['total']:.2f}") if report else ("", ""))]
     return "| " + " | ".join("" if cell is None else str(cell) for cell in cells) + " |"
@@ -109,7 +110,8 @@ def peer_rows(given, case, report, work):
             if peer.missing(setup):
                 raise process.Failure(f"not installed: {peer.package}")
             peer.run(setup, parameter_for(peer, setup, report["vertices"], report["radius"]), mesh)
-            yield row(f"{case.key}: {peer.title.rstrip(' †')}", compare(given.build, mesh, given.scans / case.reference), case)
+            judged = compare(given.build, mesh, given.scans / case.reference)
+            yield row(f"{case.key}: {peer.title.rstrip(' †')}", judged, case)
         except process.Failure as failure:
             print(f"{case.key}: {peer.key}: {failure}", file=sys.stderr)
 

@@ -29,6 +29,15 @@ bool are_oriented(const std::vector<Vector3d>& outward, const SeedGeometry& seed
   return static_cast<double>(turned) <= most_turned * static_cast<double>(smooth_pairs);
 }
 
+/** \brief What leads outside from a point: its normal or, if the cloud has none, the line of sight to the sensor. */
+Vector3d outward_direction(const PointCloudView& cloud, std::size_t point)
+{
+  const Vector3d direction =
+      cloud.normals ? cloud.normals[point] : Vector3d(cloud.viewpoints[point] - cloud.positions[point]);
+  const double length = direction.norm();
+  return std::isfinite(length) && length > 0 ? Vector3d(direction / length) : Vector3d(0, 0, 0);
+}
+
 }  // namespace
 
 std::vector<Vector3d> outward_normals(const PointCloudView& cloud,
@@ -37,19 +46,18 @@ std::vector<Vector3d> outward_normals(const PointCloudView& cloud,
                                       const GeodesicVoronoi& voronoi,
                                       const Parallel& parallel)
 {
-  if (!cloud.normals) return {};
+  if (!cloud.normals && !cloud.viewpoints) return {};
   constexpr std::size_t block = 256;
-  constexpr double least_mean = 0.3;  // of unit normals; below it they point all ways
+  constexpr double least_mean = 0.3;  // of unit normals; below it they point all ways, or lines of sight graze
   std::vector<Vector3d> outward(seeds.position.size());
   parallel.each(outward.size(), block, [&](std::size_t s) {
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i) {
-      const Vector3d normal = cloud.normals[points.input_index[voronoi.cell_point[i]]];
-      const double length = normal.norm();
-      if (std::isfinite(length) && length > 0) sum += normal / length;
-    }
-    const auto count = static_cast<double>(voronoi.cell_begin[s + 1] - voronoi.cell_begin[s]);
-    outward[s] = sum.norm() > least_mean * count ? Vector3d(sum.normalized()) : Vector3d(0, 0, 0);
+    Vector3d mean = Vector3d::Zero();
+    for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; ++i)
+      mean += outward_direction(cloud, points.input_index[voronoi.cell_point[i]]);
+    mean /= static_cast<double>(voronoi.cell_begin[s + 1] - voronoi.cell_begin[s]);
+    // A line of sight only tells which of its two sides a surface shows.
+    if (!cloud.normals) mean = mean.dot(seeds.normal[s]) * seeds.normal[s];
+    outward[s] = mean.norm() > least_mean ? Vector3d(mean.normalized()) : Vector3d(0, 0, 0);
   });
   if (!are_oriented(outward, seeds, voronoi.pairs)) outward.clear();
   return outward;
