@@ -109,6 +109,21 @@ TEST_F(Mixed, StraysJoinNothing)
   EXPECT_EQ(result.report.components, 2U);
 }
 
+/** \brief A sheet within a ring, each point with the place of the sensor that saw it, below. */
+TEST(Automatic, SurfacesFaceTheirViewpoints)
+{
+  Points points = circle({0, 0, 0}, {3, 0, 0}, {0, 3, 0}).sample(5000, 0.002);
+  points = joined(points, plane(20000));
+  const Points viewpoints(points.size(), {0, 0, -5});
+  pds::PointCloudView cloud = view_of(points);
+  cloud.viewpoints = pds::Vector3View(viewpoints.front().data(), sizeof(Eigen::Vector3d));
+  const pds::Reconstruction result = pds::reconstruct(cloud, options_of(pds::Dimension::automatic));
+  EXPECT_EQ(result.report.curves, 1U);
+  ASSERT_FALSE(result.triangles.empty());
+  const Points v = vertex_positions(result, points);
+  for (const auto& t : result.triangles) ASSERT_LT((v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).z(), 0.0);
+}
+
 TEST(Automatic, SurfacesAreMeshedAsEver)
 {
   for (const Points& points : {sphere(10000), torus(10000), plane(10000), cube(10000), saddle(10000), swiss_roll(10000),
