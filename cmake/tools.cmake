@@ -15,7 +15,8 @@ find_package(
              FiltersCore
              FiltersSources
              IOImage
-             IOPLY
+             IOLegacy
+             IOXML
              InteractionStyle
              RenderingAnnotation
              RenderingCore
@@ -55,6 +56,7 @@ else()
   if(TARGET pcl_pds_recon_compare)
     add_subdirectory(tools/compare)
     if(VTK_FOUND AND X11_FOUND)
+      add_subdirectory(tools/render)
       add_subdirectory(tools/viewer)
     endif()
     add_subdirectory(tools/html)
@@ -66,9 +68,4 @@ endif()
 
 if(TARGET Boost::program_options)
   add_subdirectory(tools/generate)
-  if(VTK_FOUND)
-    add_subdirectory(tools/render)
-  else()
-    list(APPEND left_out "mesh renderer (VTK not found: libvtk9-dev)")
-  endif()
 endif()

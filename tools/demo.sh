@@ -28,7 +28,7 @@ tools/install_dependencies.sh
 
 echo "Building"
 log=$cache/build.log
-if ! { cmake --preset release && cmake --build --preset release --target pcl_pds_recon_tool render_mesh; } >"$log" 2>&1
+if ! { cmake --preset release && cmake --build --preset release --target pcl_pds_recon_tool pcl_pds_viewer; } >"$log" 2>&1
 then
   cat "$log" >&2
   echo "demo.sh: the build failed; see above" >&2
@@ -36,10 +36,10 @@ then
 fi
 
 if fetch_dragon; then
-  name=dragon input=$cache/dragon_vrip.ply view=(--azimuth 10 --elevation 10)
+  name=dragon input=$cache/dragon_vrip.ply camera=10,10,1.4
 else
   echo "The Dragon cannot be fetched (see build/demo/npm.log). Taking data/duck_scan.ply instead, a simulated scan."
-  name=duck input=data/duck_scan.ply view=(--up z --azimuth 35 --elevation 15 --zoom 1.6)
+  name=duck input=data/duck_scan.ply camera=35,15,1.6,z
 fi
 
 build/release/tools/pcl_pds_recon --report "demo/$name.json" "$input" "demo/$name.ply"
@@ -49,7 +49,8 @@ jq --raw-output '
   "non-manifold edges \(.nonmanifold_edges), vertices \(.nonmanifold_vertices); inconsistent edges \(.inconsistent_edges)",
   "nearest seeds \(.min_seed_distance * 1000 | round / 1000) radii apart, no point farther than " +
   "\(.coverage_radius * 1000 | round / 1000) radii from its seed"' "demo/$name.json"
-xvfb-run --auto-servernum build/release/tools/render/render_mesh "${view[@]}" "demo/$name.ply" "demo/$name.png"
+env -u DISPLAY build/release/tools/viewer/pcl_pds_viewer --camera "$camera" --show mesh,loops \
+  --screenshot "demo/$name.png" "demo/$name.ply"
 
 echo "Mesh:    demo/$name.ply"
 echo "Picture: demo/$name.png"

@@ -36,7 +36,8 @@ def main():
             subprocess.run([build / "tools/pcl_pds_recon", "-q", "--normals", scan, directory / f"mesh.{extension}"],
                            check=True)
         left = viewer_picture(build, directory / "mesh.ply", directory)
-        right = chromium.glb_picture(build, directory / "mesh.glb", (WIDTH, HEIGHT), AZIMUTH, ELEVATION, distance=72)
+        right = chromium.glb_picture(build, directory / "mesh.glb", (WIDTH, HEIGHT), AZIMUTH, ELEVATION, distance=72,
+                                     z_is_up=False)
     both = Image.new("RGB", (2 * WIDTH, HEIGHT), "white")
     both.paste(left, (0, 0))
     both.paste(right, (WIDTH, 0))

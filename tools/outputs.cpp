@@ -21,11 +21,34 @@ namespace pds
 namespace
 {
 
-void write_text(AtomicFile& file, const std::string& text)
+/** Files that appear together, when all of them are complete. */
+class OutputFiles
 {
-  file.write(text.data(), text.size());
-  file.finish();
-}
+ public:
+  /** \param write puts the content into the file */
+  template <typename Write>
+  void add(const std::string& path, const Write& write)
+  {
+    AtomicFile& file = files_.emplace_back(path);
+    write(file);
+    file.finish();
+  }
+
+  void add_text(const std::string& path, const std::string& text)
+  {
+    add(path, [&text](AtomicFile& file) { file.write(text.data(), text.size()); });
+  }
+
+  void commit()
+  {
+    for (AtomicFile& file : files_) {
+      file.commit();
+    }
+  }
+
+ private:
+  std::list<AtomicFile> files_;
+};
 
 PointTable make_vertices(const CommandLine& command_line, const PointTable& points, const Reconstruction& result)
 {
@@ -34,8 +57,33 @@ PointTable make_vertices(const CommandLine& command_line, const PointTable& poin
   return command_line.normals ? with_vertex_normals(vertices, result.triangles) : std::move(vertices);
 }
 
-/** Wide integers are what PLY cannot hold. */
-std::string who_can(const std::string& extension) { return extension == ".ply" ? ".vtp can" : "binary .ply can"; }
+void add_meshes(const CommandLine& command_line,
+                const PointTable& points,
+                const PointTable& vertices,
+                const std::vector<Reconstruction>& levels,
+                OutputFiles& files)
+{
+  const std::string extension = output_extension(command_line);
+  for (unsigned level = 0; level < levels.size(); ++level) {
+    const Reconstruction& mesh = levels[level];
+    files.add(level_path(command_line.output, level), [&](AtomicFile& file) {
+      if (level == 0) {
+        write_mesh(file, extension, vertices, mesh.triangles, command_line.ascii, mesh.segments);
+      } else {
+        write_mesh(file, extension, make_vertices(command_line, points, mesh), mesh.triangles, command_line.ascii);
+      }
+    });
+  }
+}
+
+void warn_of_losses(const CommandLine& command_line, const PointTable& vertices, std::vector<std::string>& warnings)
+{
+  const std::string extension = output_extension(command_line);
+  if (const std::string lost = lost_in_format(extension, vertices, command_line.ascii); !lost.empty()) {
+    const char* who_can = extension == ".ply" ? ".vtp can" : "binary .ply can";  // but for wide integers
+    warnings.push_back(command_line.output + ": " + extension + " cannot hold " + lost + "; " + who_can);
+  }
+}
 
 void warn_of_page(const std::string& path, const ReportPage& page, std::vector<std::string>& warnings)
 {
@@ -66,9 +114,9 @@ void check_outputs(const CommandLine& command_line)
 
 void save_config(const CommandLine& command_line)
 {
-  AtomicFile file(command_line.config_to_save);
-  write_text(file, to_config(command_line));
-  file.commit();
+  OutputFiles files;
+  files.add_text(command_line.config_to_save, to_config(command_line));
+  files.commit();
 }
 
 std::vector<std::string> save_outputs(const CommandLine& command_line,
@@ -77,54 +125,30 @@ std::vector<std::string> save_outputs(const CommandLine& command_line,
                                       const std::function<void(Report&)>& complete_report)
 {
   Reconstruction& result = levels.front();
-  const std::string extension = output_extension(command_line);
   const PointTable vertices = make_vertices(command_line, points, result);
-  std::list<AtomicFile> mesh_files;
-  for (unsigned level = 0; level < levels.size(); ++level) {
-    AtomicFile& file = mesh_files.emplace_back(level_path(command_line.output, level));
-    const Reconstruction& mesh = levels[level];
-    if (level == 0) {
-      write_mesh(file, extension, vertices, mesh.triangles, command_line.ascii, mesh.segments);
-    } else {
-      write_mesh(file, extension, make_vertices(command_line, points, mesh), mesh.triangles, command_line.ascii);
-    }
-    file.finish();
-  }
-  std::optional<AtomicFile> voronoi_file;
+  OutputFiles files;
+  add_meshes(command_line, points, vertices, levels, files);
   if (!command_line.voronoi_file.empty()) {
-    voronoi_file.emplace(command_line.voronoi_file);
-    write_ply(*voronoi_file, make_voronoi_table(points, result, Parallel(command_line.options.threads)), {},
-              command_line.ascii);
-    voronoi_file->finish();
+    files.add(command_line.voronoi_file, [&](AtomicFile& file) {
+      write_ply(file, make_voronoi_table(points, result, Parallel(command_line.options.threads)), {},
+                command_line.ascii);
+    });
   }
   std::optional<ReportPage> page;
   if (!command_line.html_file.empty()) {
     page = make_report_page(command_line, points, vertices, result);
   }
   complete_report(result.report);
-  std::optional<AtomicFile> report_file;
   if (!command_line.report_file.empty()) {
-    report_file.emplace(command_line.report_file);
-    write_text(*report_file, to_json(result.report));
+    files.add_text(command_line.report_file, to_json(result.report));
   }
-  std::optional<AtomicFile> page_file;
   if (page) {
-    page_file.emplace(command_line.html_file);
-    write_text(*page_file, to_html(*page, command_line, result.report));
+    files.add_text(command_line.html_file, to_html(*page, command_line, result.report));
   }
+  files.commit();
 
-  for (AtomicFile& file : mesh_files) {
-    file.commit();
-  }
-  for (auto* file : {&voronoi_file, &report_file, &page_file}) {
-    if (*file) {
-      (*file)->commit();
-    }
-  }
   std::vector<std::string> warnings;
-  if (const std::string lost = lost_in_format(extension, vertices, command_line.ascii); !lost.empty()) {
-    warnings.push_back(command_line.output + ": " + extension + " cannot hold " + lost + "; " + who_can(extension));
-  }
+  warn_of_losses(command_line, vertices, warnings);
   if (page) {
     warn_of_page(command_line.html_file, *page, warnings);
   }

@@ -1,52 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/glb_writer.h"
 
+#include "glb_testing.h"
 #include "reader_testing.h"
 #include "temporary_directory.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
-#include <cstring>
-#include <nlohmann/json.hpp>
 
 namespace pds
 {
 namespace
 {
-
-using Json = nlohmann::json;
-
-template <typename Number>
-Number number_at(const std::string& bytes, std::size_t place)
-{
-  Number number;
-  std::memcpy(&number, bytes.data() + place, sizeof number);
-  return number;
-}
-
-/** The parts of a .glb file, read by the book. */
-struct Glb
-{
-  Json description;
-  std::string binary;
-
-  [[nodiscard]] std::vector<double> vector(const char* attribute, std::size_t row) const
-  {
-    const Json& accessor = description["accessors"][primitive()["attributes"][attribute].get<std::size_t>()];
-    const std::size_t size = accessor["type"] == "VEC4" ? 4 : 3;
-    const bool is_float = accessor["componentType"] == 5126;
-    const std::size_t bytes = is_float ? sizeof(float) : sizeof(std::uint16_t);
-    const std::size_t begin = description["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteOffset"];
-    std::vector<double> values;
-    for (std::size_t i = 0; i < size; ++i) {
-      const std::size_t place = begin + (row * size + i) * bytes;
-      values.push_back(is_float ? static_cast<double>(number_at<float>(binary, place))
-                                : number_at<std::uint16_t>(binary, place) / 65535.0);
-    }
-    return values;
-  }
-
-  [[nodiscard]] const Json& primitive() const { return description["meshes"][0]["primitives"][0]; }
-};
 
 class GlbWriter : public TemporaryDirectory
 {
@@ -61,17 +26,7 @@ class GlbWriter : public TemporaryDirectory
       file.finish();
       file.commit();
     }
-    const std::string bytes = read("mesh.glb");
-    EXPECT_EQ(bytes.substr(0, 4), "glTF");
-    EXPECT_EQ(number_at<std::uint32_t>(bytes, 4), 2U);
-    EXPECT_EQ(number_at<std::uint32_t>(bytes, 8), bytes.size());
-    const auto text_bytes = number_at<std::uint32_t>(bytes, 12);
-    EXPECT_EQ(bytes.substr(16, 4), "JSON");
-    EXPECT_EQ(text_bytes % 4, 0U);
-    const auto binary_bytes = number_at<std::uint32_t>(bytes, 20 + text_bytes);
-    EXPECT_EQ(bytes.substr(24 + text_bytes, 4), std::string("BIN\0", 4));
-    EXPECT_EQ(28 + text_bytes + binary_bytes, bytes.size());
-    return {Json::parse(bytes.substr(20, text_bytes)), bytes.substr(28 + text_bytes)};
+    return parse_glb(read("mesh.glb"));
   }
 };
 
@@ -96,9 +51,32 @@ TEST_F(GlbWriter, places_a_utm_mesh_by_a_translation)
   const Json& indices = glb.description["accessors"][glb.primitive()["indices"].get<std::size_t>()];
   EXPECT_EQ(indices["count"], 6);
   const std::size_t begin = glb.description["bufferViews"][indices["bufferView"].get<std::size_t>()]["byteOffset"];
-  const auto corners = number_at<std::array<std::uint32_t, 6>>(glb.binary, begin);
+  const auto corners = number_at<std::array<std::uint32_t, 6>>(glb.binary.data() + begin);
   EXPECT_EQ(corners, (std::array<std::uint32_t, 6>{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(glb.description["asset"]["version"], "2.0");
+}
+
+TEST_F(GlbWriter, turns_z_up_by_the_node_alone)
+{
+  PointTable points = table_with({{"x y z", ScalarType::float64}}, 3);
+  const std::vector<double> row = {500000.25, 5234567.5, 100};
+  set_row(points, 0, row);
+  set_row(points, 1, {500002.25, 5234567.5, 100});
+  set_row(points, 2, {500000.25, 5234569.5, 107});
+  const Glb before = write_and_parse(points, {{0, 1, 2}});
+  EXPECT_FALSE(before.description["nodes"][0].contains("rotation"));
+  points.z_is_up = true;
+  const Glb glb = write_and_parse(points, {{0, 1, 2}});
+  EXPECT_EQ(glb.binary, before.binary) << "the vertices stay as they are";
+  const Json& node = glb.description["nodes"][0];
+  const auto q = node["rotation"].get<std::vector<double>>();
+  const auto translation = node["translation"].get<std::vector<double>>();
+  const std::vector<double> position = glb.vector("POSITION", 0);
+  const Eigen::Vector3d turned = Eigen::Quaterniond(q[3], q[0], q[1], q[2]) * Eigen::Vector3d(position.data());
+  const std::vector<double> wanted = {row[0], row[2], -row[1]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(turned[static_cast<Eigen::Index>(i)] + translation[i], wanted[i], 1e-6);
+  }
 }
 
 TEST_F(GlbWriter, draws_curves_as_lines)
@@ -128,6 +106,16 @@ TEST_F(GlbWriter, keeps_float_positions_to_the_last_bit_with_normals_and_linear_
   EXPECT_NEAR(color[1], 0.215861, 1e-5) << "sRGB 128 is 21.6 % of the light";
   EXPECT_EQ(color[2], 0);
   EXPECT_EQ(color[3], 1);
+}
+
+TEST_F(GlbWriter, has_colors_of_floats)
+{
+  PointTable points = table_with({{"x y z red green blue", ScalarType::float32}}, 3);
+  set_row(points, 0, {0, 0, 0, 1, 0.5, std::nan("")});
+  const std::vector<double> color = write_and_parse(points, {{0, 1, 2}}).vector("COLOR_0", 0);
+  EXPECT_EQ(color[0], 1);
+  EXPECT_NEAR(color[1], 0.214041, 1e-5);
+  EXPECT_EQ(color[2], 0) << "no colour is black";
 }
 
 }  // namespace

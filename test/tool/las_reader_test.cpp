@@ -214,6 +214,7 @@ std::string laz_file(std::uint32_t points, std::uint32_t chunk_size, std::uint32
 {
   LasFile header(2, 0x80, 20);
   std::string record(54 + 34, '\0');
+  record.replace(2, 14, "laszip encoded");
   const std::uint16_t id = 22204;
   const std::uint16_t length = 34;
   std::memcpy(record.data() + 18, &id, sizeof id);

@@ -79,6 +79,35 @@ TEST(MergePoints, spreads_colors_of_eight_bits_among_those_of_sixteen)
   EXPECT_EQ(row_values(merge(bytes, bytes), 1), (Values{0, 0, 0, 255, 1, 0, 6, 2}));
 }
 
+TEST(MergePoints, scales_colors_of_integers_among_floats)
+{
+  const auto colored = [](ScalarType type, const Values& row) {
+    return cloud({{"red", type}, {"green", type}, {"blue", type}}, {row});
+  };
+  const auto merge = [&colored](ScalarType type, const Values& row, double red) {
+    const Values floats = {0, 0, 0, red, 0.5, 1};
+    return merge_points(clouds_of(colored(ScalarType::float32, floats), colored(type, row)), Parallel(1));
+  };
+  const PointTable bytes = merge(ScalarType::uint8, {0, 0, 0, 255, 51, 0}, 0.25);
+  EXPECT_EQ(bytes.color_type(), ScalarType::float32);
+  EXPECT_EQ(row_values(bytes, 0), (Values{0, 0, 0, 0.25, 0.5, 1, 1}));
+  EXPECT_EQ(row_values(bytes, 1), (Values{0, 0, 0, 1, 0.2F, 0, 2}));
+  const PointTable words = merge(ScalarType::uint16, {0, 0, 0, 65535, 13107, 0}, 0.25);
+  EXPECT_EQ(row_values(words, 1), (Values{0, 0, 0, 1, 0.2F, 0, 2}));
+  const PointTable doubles = merge(ScalarType::float64, {0, 0, 0, 0.1, 0.2, 0.3}, 0.25);
+  EXPECT_EQ(row_values(doubles, 1), (Values{0, 0, 0, 0.1, 0.2, 0.3, 2}));
+  const PointTable no_colors = merge(ScalarType::uint8, {0, 0, 0, 255, 51, 0}, 200);
+  EXPECT_EQ(row_values(no_colors, 1), (Values{0, 0, 0, 255, 51, 0, 2})) << "200 says nothing of which value is white";
+}
+
+TEST(MergePoints, keeps_that_z_is_up)
+{
+  std::vector<PointTable> clouds = clouds_of(cloud({}, {{1, 2, 3}}), cloud({}, {{1, 2, 3}}));
+  clouds[1].z_is_up = true;
+  EXPECT_TRUE(merge_points(std::move(clouds), Parallel(1)).z_is_up);
+  EXPECT_FALSE(merge_points(clouds_of(cloud({}, {{1, 2, 3}}), cloud({}, {{1, 2, 3}})), Parallel(1)).z_is_up);
+}
+
 TEST(MergePoints, keeps_a_sensor_origin_that_all_have)
 {
   const auto origin_of = [](double a, double b) {

@@ -154,13 +154,25 @@ TEST(PlyReader, says_that_the_header_announces_too_few_points)
   EXPECT_EQ(read_ply(header(little, "1", xyz_float) + point + "padding").not_read, "");
   const std::string list = "property list uchar float more\n";
   const std::string row_with_list = point + bytes_of(std::uint8_t{1}) + bytes_of(4.F);
-  EXPECT_EQ(read_ply(header(little, "1", xyz_float + list) + row_with_list).not_read, "");
+  EXPECT_EQ(read_ply(header(little, "1", xyz_float + list) + row_with_list).not_read, "the list properties more");
   EXPECT_EQ(read_ply(header(little, "1", xyz_float + list) + row_with_list + row_with_list).not_read,
-            data_after_points);
+            std::string("the list properties more and ") + data_after_points);
   EXPECT_EQ(read_ply(header("ascii", "1", xyz_float) + "1 2 3\n4 5 6\n").not_read, data_after_points);
   EXPECT_EQ(read_ply(header("ascii", "1", xyz_float) + "1 2 3\n\n").not_read, "");
   const std::string with_faces = xyz_float + "element face 1\nproperty list uchar int vertex_indices\n";
-  EXPECT_EQ(read_ply(header("ascii", "1", with_faces) + "1 2 3\n3 0 0 0\n").not_read, "");
+  EXPECT_EQ(read_ply(header("ascii", "1", with_faces) + "1 2 3\n3 0 0 0\n").not_read, "the rows of face");
+}
+
+TEST(PlyReader, says_which_lists_and_other_elements_it_does_not_read)
+{
+  const std::string lists = "property list uchar float weights\nproperty list uchar int bones\n";
+  const std::string others =
+      "element face 1\nproperty list uchar int vertex_indices\nelement edge 0\nelement camera 1\n"
+      "property float view_px\n";
+  const PointTable table =
+      read_ply(header("ascii", "1", xyz_float + lists + others) + "1 2 3 1 0.5 2 7 8\n3 0 0 0\n5\n");
+  EXPECT_EQ(table.not_read, "the list properties weights bones and the rows of face camera");
+  EXPECT_EQ(row_values(table, 0), (Values{1, 2, 3}));
 }
 
 TEST(PlyReader, names_what_is_wrong)

@@ -46,6 +46,14 @@ TEST_F(RunBadInput, is_named_in_one_line_and_leaves_no_output)
   }
 }
 
+TEST_F(RunBadInput, that_is_compressed_is_told_how_to_be_read)
+{
+  write("cloud.ply.gz", "\x1f\x8b");
+  EXPECT_EQ(run("-q cloud.ply.gz out.ply"), 1);
+  EXPECT_TRUE(
+      complained_of("cloud.ply.gz: is compressed; unpack it on the way: gunzip -c scan.ply.gz | pcl_pds_recon -"));
+}
+
 TEST_F(RunBadInput, which_may_not_be_read)
 {
   if (geteuid() == 0) {

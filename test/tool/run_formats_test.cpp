@@ -118,6 +118,30 @@ TEST_F(RunFormats, carry_utm_coordinates_to_the_last_bit)
   }
 }
 
+TEST_F(RunFormats, say_in_one_line_what_of_an_input_is_not_read)
+{
+  write("in.obj", text_rows("v ") + "vt 0 1\nusemtl skin\nf 1/1 2/1 3/1\n");
+  ASSERT_EQ(run("in.obj out.ply"), 0);
+  EXPECT_NE(errors().find("in.obj: texture coordinates, materials and faces are left out\n"), std::string::npos)
+      << errors();
+  const std::string face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string mesh = ply("ascii", std::to_string(utm_points), text_rows()) + "3 0 1 2\n";
+  mesh.replace(mesh.find("end_header\n"), std::string("end_header\n").size(), face);
+  write("in.ply", mesh);
+  ASSERT_EQ(run("in.ply out.ply"), 0);
+  EXPECT_NE(errors().find("in.ply: the rows of face are left out\n"), std::string::npos) << errors();
+}
+
+TEST_F(RunFormats, turn_glb_upright_if_the_format_of_the_input_says_that_z_is_up)
+{
+  write("cloud.las", utm_las());
+  ASSERT_EQ(run("-q cloud.las las.glb"), 0) << errors();
+  EXPECT_NE(read("las.glb").find("\"rotation\""), std::string::npos);
+  write("cloud.xyz", text_rows());
+  ASSERT_EQ(run("-q cloud.xyz xyz.glb"), 0) << errors();
+  EXPECT_EQ(read("xyz.glb").find("\"rotation\""), std::string::npos);
+}
+
 TEST_F(RunFormats, complain_of_files_that_are_empty_cut_short_or_whose_header_lies)
 {
   for (const Sample& sample : samples()) {

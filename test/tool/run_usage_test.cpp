@@ -33,6 +33,10 @@ TEST_F(RunUsage, errors_exit_with_2_and_one_line)
            {"-a nan in.xyz out.ply", "--adaptive"},
            {"--config bad.ini in.xyz out.ply", "bad.ini: unknown option 'bogus'"},
            {"in.xyz out.wrl", ".wrl"},
+           {"in.xyz out.ply.gz",
+            "out.ply.gz: meshes are not compressed; do so behind: pcl_pds_recon scan.ply - | gzip"},
+           {"-q3 in.xyz out.ply", "'-q3': -q takes no value; only letters of other options may follow it"},
+           {"-q=3 in.xyz out.ply", "-q takes no value"},
            {"in.xyz in.xyz", "in.xyz"}}) {
     EXPECT_EQ(run(arguments), 2) << arguments;
     EXPECT_TRUE(complained_of(part)) << arguments;

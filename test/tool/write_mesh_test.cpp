@@ -111,17 +111,21 @@ TEST_F(WriteMesh, ply_has_faces)
   EXPECT_EQ(binary.substr(binary.size() - face.size()), face);
 }
 
-TEST_F(WriteMesh, obj_keeps_coordinates_and_colors_to_the_last_bit)
+TEST_F(WriteMesh, obj_gives_coordinates_normals_and_colors_back_to_the_last_bit)
 {
   const PointTable points = utm_points();
   const PointTable same = read_points(save("mesh.obj", points), Parallel(2));
   ASSERT_EQ(same.size(), points.size());
   for (std::size_t row = 0; row < points.size(); ++row) {
     for (const Field& field : same.fields()) {
-      EXPECT_EQ(same.value(row, field), points.value(row, *points.find(field.name))) << field.name;
+      const Field& original = *points.find(field.name);
+      const double value = same.value(row, field);
+      const bool is_float = original.type == ScalarType::float32;  // the text has as many digits as tell floats apart
+      EXPECT_EQ(is_float ? static_cast<float>(value) : value, points.value(row, original)) << field.name;
     }
   }
-  EXPECT_EQ(same.fields().size(), 6U);
+  EXPECT_EQ(describe_fields(same),
+            "x:double y:double z:double nx:double ny:double nz:double red:uchar green:uchar blue:uchar");
   EXPECT_TRUE(contains(read("mesh.obj"), "\nvn 0 0 1\n"));
   EXPECT_TRUE(contains(read("mesh.obj"), "\nf 1//1 2//2 3//3\n"));
 }
@@ -179,14 +183,35 @@ TEST_F(WriteMesh, wide_integers_become_doubles_in_ply_which_says_if_that_rounds)
 #endif
 }
 
-TEST_F(WriteMesh, obj_holds_sixteen_bit_colors)
+TEST_F(WriteMesh, obj_gives_every_sixteen_bit_color_back)
 {
-  PointTable points = table_with({{"x y z", ScalarType::float32}, {"red green blue", ScalarType::uint16}}, 3);
-  points.set_value(0, *points.find("red"), 65535);
-  save("mesh.obj", points);
-  EXPECT_TRUE(contains(read("mesh.obj"), "v 0 0 0 1 0 0\n"));
+  constexpr std::size_t colors = std::size_t{1} << 16;
+  PointTable points = table_with({{"x y z", ScalarType::float32}, {"red green blue", ScalarType::uint16}}, colors);
+  for (std::size_t row = 0; row < colors; ++row) {
+    points.set_value(row, *points.find("green"), static_cast<double>(row));
+  }
+  const PointTable same = read_points(save("mesh.obj", points), Parallel(1));
+  ASSERT_EQ(same.color_type(), ScalarType::uint16);
+  for (std::size_t row = 0; row < colors; ++row) {
+    ASSERT_EQ(same.value(row, *same.find("green")), static_cast<double>(row));
+  }
   EXPECT_EQ(lost_in_format(".obj", points, false), "");
   EXPECT_EQ(lost_in_format(".glb", points, false), "the last digits of the colours");
+}
+
+TEST_F(WriteMesh, obj_gives_floating_point_colors_back)
+{
+  for (const ScalarType type : {ScalarType::float32, ScalarType::float64}) {
+    PointTable points = table_with({{"x y z", ScalarType::float32}, {"red green blue", type}}, 3);
+    set_row(points, 0, {0, 0, 0, 0.1, 1.0 / 3, 1});
+    set_row(points, 1, {0, 0, 0, std::nan(""), std::nan(""), std::nan("")});
+    const PointTable same = read_points(save("mesh.obj", points), Parallel(1));
+    EXPECT_EQ(describe_fields(same), "x:double y:double z:double red:double green:double blue:double");
+    EXPECT_EQ(row_values(same, 0), row_values(points, 0));
+    EXPECT_EQ(row_values(same, 1), Values(6, 0)) << "no colour is black";
+    EXPECT_EQ(lost_in_format(".obj", points, false), "");
+    EXPECT_EQ(lost_in_format(".glb", points, false), "the last digits of the colours");
+  }
 }
 
 TEST(LostInFormat, names_normals_that_are_rounded)
@@ -198,10 +223,12 @@ TEST(LostInFormat, names_normals_that_are_rounded)
 
 TEST(LostInFormat, says_which_colors_are_held)
 {
-  const PointTable points = table_with({{"x y z red green blue intensity", ScalarType::float32}}, 3);
+  PointTable points = table_with({{"x y z red green blue intensity", ScalarType::float32}}, 3);
+  points.set_value(2, *points.find("blue"), 1.5);
   const std::string lost = "the fields red green blue intensity";
-  EXPECT_EQ(lost_in_format(".glb", points, false), lost + " (colours only if all are uchar or all ushort)");
-  EXPECT_EQ(lost_in_format(".obj", points, false), lost + " (colours only if all are uchar or all ushort)");
+  const std::string why = " (colours only if all are uchar, ushort, or floats of 0 to 1)";
+  EXPECT_EQ(lost_in_format(".glb", points, false), lost + why);
+  EXPECT_EQ(lost_in_format(".obj", points, false), lost + why);
   EXPECT_EQ(lost_in_format(".stl", points, false), lost);
   EXPECT_EQ(lost_in_format(".ply", points, false), "");
 }

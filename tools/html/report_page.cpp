@@ -37,9 +37,9 @@ Eigen::AlignedBox3d bounding_box(const TriangleMesh& mesh)
   return box;
 }
 
-/** From where a mesh is seen at first. What stands upright or lies flat in x and y, as statues, towers and terrains do,
- * has z up; otherwise y is, as in glTF. */
-PageCamera find_camera(const Eigen::AlignedBox3d& box)
+/** From where a mesh is seen at first. If the format does not say that z is up, it is for what stands upright or lies
+ * flat in x and y, as statues, towers and terrains do; otherwise y is, as in glTF. */
+PageCamera find_camera(const Eigen::AlignedBox3d& box, bool z_is_up)
 {
   constexpr double flat = 0.25;
   constexpr double from_the_side = 15;  // degrees
@@ -48,7 +48,7 @@ PageCamera find_camera(const Eigen::AlignedBox3d& box)
   const bool is_flat = size.z() < flat * std::min(size.x(), size.y());
   const bool is_upright = size.z() > std::max(size.x(), size.y());
   PageCamera camera;
-  camera.up = is_flat || is_upright ? 'z' : 'y';
+  camera.up = z_is_up || is_flat || is_upright ? 'z' : 'y';
   camera.elevation = is_flat ? from_above : from_the_side;
   return camera;
 }
@@ -64,6 +64,7 @@ std::string make_page_glb(const PointTable& vertices, const TriangleMesh& mesh, 
     const Eigen::Vector3f position = (mesh.vertices[row] - center).cast<float>();
     std::memcpy(moved.record(row), position.data(), 3 * sizeof(float));
   }
+  moved.z_is_up = false;  // the page itself turns it
   return make_glb(moved, mesh.faces);
 }
 
@@ -125,7 +126,7 @@ ReportPage make_report_page(const CommandLine& command_line,
   view.vertex_color = byte_colors(vertices);
   view.boundary_loops = result.boundary_loops;
   const Eigen::AlignedBox3d box = bounding_box(view.mesh);
-  page.camera = find_camera(box);
+  page.camera = find_camera(box, vertices.z_is_up);
   page.glb = make_page_glb(vertices, view.mesh, box.center());
   page.edge_lengths = edge_lengths(view.mesh);
   page.smallest_angles = smallest_angles(view.mesh);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/color_depth.h"
 
-#include <initializer_list>
-#include <utility>
-
 namespace pds
 {
 
@@ -12,9 +9,8 @@ PointTable with_byte_colors(PointTable points)
   if (points.color_type() != ScalarType::uint16) {
     return points;
   }
-  const std::initializer_list<const char*> names = {"red", "green", "blue"};
   ColorDepth depth;
-  for (const char* name : names) {
+  for (const char* name : color_fields) {
     for (std::size_t row = 0; row < points.size(); ++row) {
       depth.add(static_cast<std::uint16_t>(points.value(row, *points.find(name))));
     }
@@ -24,7 +20,7 @@ PointTable with_byte_colors(PointTable points)
   }
   PointTable table = points.with_fields(
       {{"red", ScalarType::uint8}, {"green", ScalarType::uint8}, {"blue", ScalarType::uint8}}, Parallel(1));
-  for (const char* name : names) {
+  for (const char* name : color_fields) {
     for (std::size_t row = 0; row < points.size(); ++row) {
       table.set_value(row, *table.find(name), points.value(row, *points.find(name)) / depth.divisor());
     }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/glb_writer.h"
 
+#include "io/colors.h"
+
 #include <pcl_pds_recon/version.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -56,20 +59,16 @@ class GltfBuilder
 
   Json& accessor(int number) { return accessors_[static_cast<std::size_t>(number)]; }
 
-  /** \brief The whole file. */
-  [[nodiscard]] std::string finish(const Json& attributes,
-                                   const Json& primitives,
-                                   const Eigen::Vector3d& translation) const
+  /** \brief The whole file. \param place of the mesh: properties of its node */
+  [[nodiscard]] std::string finish(const Json& attributes, const Json& primitives, const Json& place) const
   {
     const bool has_colors = attributes.contains("COLOR_0");
     const std::array<double, 4> color = has_colors ? std::array<double, 4>{1, 1, 1, 1} : clay;
     const Json material = {
         {"doubleSided", true},
         {"pbrMetallicRoughness", {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
-    Json node = {{"mesh", 0}};
-    if (!translation.isZero(0)) {
-      node["translation"] = {translation.x(), translation.y(), translation.z()};
-    }
+    Json node = place;
+    node["mesh"] = 0;
     const Json description = {{"asset", {{"version", "2.0"}, {"generator", "pcl_pds_recon " PCL_PDS_RECON_VERSION}}},
                               {"scene", 0},
                               {"scenes", {{{"nodes", {0}}}}},
@@ -120,6 +119,22 @@ Eigen::Vector3d find_origin(const PointTable& points)
   return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.center());
 }
 
+/** What the viewer does to the vertices: y is up in glTF, so z is turned there if it is up in the cloud; the origin is
+ * put back. */
+Json place_mesh(const Eigen::Vector3d& origin, bool z_is_up)
+{
+  Json place = Json::object();
+  Eigen::Vector3d translation = origin;
+  if (z_is_up) {
+    place["rotation"] = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};  // a quarter turn around x, as x y z w
+    translation = Eigen::Vector3d(origin.x(), origin.z(), -origin.y());
+  }
+  if (!translation.isZero(0)) {
+    place["translation"] = {translation.x(), translation.y(), translation.z()};
+  }
+  return place;
+}
+
 int add_positions(GltfBuilder& builder, const PointTable& points, const Eigen::Vector3d& origin)
 {
   const Vector3View view = points.view().positions;
@@ -156,21 +171,18 @@ double linear_of_srgb(double value)
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-int add_colors(GltfBuilder& builder, const PointTable& points, ScalarType type)
+int add_colors(GltfBuilder& builder, const PointTable& points)
 {
   constexpr std::uint16_t opaque = std::numeric_limits<std::uint16_t>::max();
-  const double greatest = type == ScalarType::uint16 ? 65535 : 255;
-  std::vector<std::array<std::uint16_t, 4>> colors(points.size(), {0, 0, 0, opaque});
-  std::size_t channel = 0;
-  for (const char* name : {"red", "green", "blue"}) {
-    const Field& field = *points.find(name);
-    for (std::size_t row = 0; row < points.size(); ++row) {
-      const double value = linear_of_srgb(points.value(row, field) / greatest);
-      colors[row][channel] = static_cast<std::uint16_t>(std::lround(value * opaque));
-    }
-    ++channel;
+  const Colors colors(points);
+  std::vector<std::array<std::uint16_t, 4>> linear(points.size(), {0, 0, 0, opaque});
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    const std::array<double, 3> color = colors[row];
+    std::transform(color.begin(), color.end(), linear[row].begin(), [](double channel) {
+      return static_cast<std::uint16_t>(std::lround(linear_of_srgb(channel) * opaque));
+    });
   }
-  const int number = builder.add(colors, code_unsigned_short, "VEC4", code_vertices);
+  const int number = builder.add(linear, code_unsigned_short, "VEC4", code_vertices);
   builder.accessor(number)["normalized"] = true;
   return number;
 }
@@ -185,8 +197,8 @@ std::string make_glb(const PointTable& points, const Triangles& triangles, const
   if (points.has_normals()) {
     attributes["NORMAL"] = add_normals(builder, points);
   }
-  if (const auto type = points.color_type()) {
-    attributes["COLOR_0"] = add_colors(builder, points, *type);
+  if (points.color_type()) {
+    attributes["COLOR_0"] = add_colors(builder, points);
   }
   Json primitives = Json::array();
   const auto add_primitive = [&](const auto& cells, int mode) {
@@ -200,7 +212,7 @@ std::string make_glb(const PointTable& points, const Triangles& triangles, const
   if (builder.bytes() > std::numeric_limits<std::uint32_t>::max() / 2) {
     throw OutputError("the mesh is larger than the 4 GiB that glTF allows; write .ply");
   }
-  return builder.finish(attributes, primitives, origin);
+  return builder.finish(attributes, primitives, place_mesh(origin, points.z_is_up));
 }
 
 void write_glb(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments)

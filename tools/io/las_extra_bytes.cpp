@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/las_extra_bytes.h"
 
+#include "io/las_records.h"
+#include "io/number_at.h"
 #include "io/snake_case.h"
 
 #include <pcl_pds_recon/options.h>
@@ -9,7 +11,6 @@
 #include <array>
 #include <cstring>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 namespace pds
@@ -23,33 +24,13 @@ constexpr std::size_t description_bytes = 192;
 /** The content of the variable-length record that describes the extra bytes; empty if there is none. */
 std::string find_descriptions(const ByteSource& source, const LasHeader& header)
 {
-  constexpr std::size_t head_bytes = 54;
-  constexpr std::size_t user_at = 2;
-  constexpr std::string_view user("LASF_Spec\0", 10);  // with the zero that ends it
-  constexpr std::size_t record_id_at = 18;
-  constexpr std::size_t length_at = 20;
   constexpr std::uint16_t extra_bytes_record = 4;
-  std::size_t place = header.header_bytes;
-  for (std::uint32_t i = 0; i < header.record_count; ++i) {
-    std::array<char, head_bytes> head{};
-    std::uint16_t id = 0;
-    std::uint16_t length = 0;
-    if (place + head_bytes > header.begin) {
-      throw InvalidInput(
-          "has a LAS header with records that reach into the points: the file is damaged; copy it again");
-    }
-    source.read(place, head.data(), head_bytes);
-    std::memcpy(&id, head.data() + record_id_at, sizeof id);
-    std::memcpy(&length, head.data() + length_at, sizeof length);
-    place += head_bytes;
-    if (id == extra_bytes_record && std::string_view(head.data() + user_at, user.size()) == user) {
-      std::string content(std::min<std::size_t>(length, header.begin - place), '\0');
-      source.read(place, content.data(), content.size());
-      return content;
-    }
-    place += length;
+  const std::optional<LasRecord> record = find_las_record(source, header, "LASF_Spec", extra_bytes_record);
+  std::string content(record ? record->bytes : 0, '\0');
+  if (record) {
+    source.read(record->begin, content.data(), content.size());
   }
-  return "";
+  return content;
 }
 
 /** One description: the places of what is read of it. */
@@ -60,16 +41,8 @@ struct Description
   [[nodiscard]] std::uint8_t type() const { return static_cast<std::uint8_t>(bytes[2]); }
   [[nodiscard]] std::uint8_t options() const { return static_cast<std::uint8_t>(bytes[3]); }
   [[nodiscard]] std::string name() const { return {bytes + 4, strnlen(bytes + 4, 32)}; }
-  [[nodiscard]] double scale() const { return number(112); }
-  [[nodiscard]] double offset() const { return number(136); }
-
- private:
-  [[nodiscard]] double number(std::size_t place) const
-  {
-    double value = 0;
-    std::memcpy(&value, bytes + place, sizeof value);
-    return value;
-  }
+  [[nodiscard]] double scale() const { return number_at<double>(bytes + 112); }
+  [[nodiscard]] double offset() const { return number_at<double>(bytes + 136); }
 };
 
 /** The type of a single number; none of arrays, which are deprecated, and of bytes without a meaning. */

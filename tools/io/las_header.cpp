@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/las_header.h"
 
+#include "io/number_at.h"
+
 #include <pcl_pds_recon/options.h>
 
 #include <algorithm>
 #include <boost/endian/conversion.hpp>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -41,14 +42,6 @@ constexpr std::array<std::size_t, 11> standard_bytes = {20, 28, 26, 34, 57, 63, 
   throw InvalidInput("has a LAS header with " + what + ": the file is damaged; copy it again");
 }
 
-template <typename Number>
-Number get(const std::string& header, std::size_t place)
-{
-  Number number;
-  std::memcpy(&number, header.data() + place, sizeof number);
-  return number;
-}
-
 std::size_t parse_point_format(std::uint8_t code, LasCompression compression)
 {
   constexpr std::uint8_t compressed = 0xC0;  // LASzip sets one of the two highest bits
@@ -68,22 +61,23 @@ std::size_t parse_point_format(std::uint8_t code, LasCompression compression)
 
 std::uint64_t parse_count(const std::string& header)
 {
-  const auto legacy_count = get<std::uint32_t>(header, legacy_count_at);
-  if (get<std::uint8_t>(header, minor_version_at) < 4) {
+  const auto legacy_count = number_at<std::uint32_t>(header.data() + legacy_count_at);
+  if (number_at<std::uint8_t>(header.data() + minor_version_at) < 4) {
     return legacy_count;
   }
   if (header.size() < header_bytes_1_4) {
     throw_damaged("too few bytes for version 1.4");
   }
-  return get<std::uint64_t>(header, count_at);
+  return number_at<std::uint64_t>(header.data() + count_at);
 }
 
 std::size_t parse_end(const std::string& header, std::size_t file_bytes)
 {
-  const bool has_extended_records =
-      get<std::uint8_t>(header, minor_version_at) >= 4 && get<std::uint32_t>(header, extended_record_count_at) > 0;
-  return has_extended_records ? std::min<std::uint64_t>(file_bytes, get<std::uint64_t>(header, extended_records_at))
-                              : file_bytes;
+  const bool has_extended_records = number_at<std::uint8_t>(header.data() + minor_version_at) >= 4 &&
+                                    number_at<std::uint32_t>(header.data() + extended_record_count_at) > 0;
+  return has_extended_records
+             ? std::min<std::uint64_t>(file_bytes, number_at<std::uint64_t>(header.data() + extended_records_at))
+             : file_bytes;
 }
 
 /** Whether all coordinates are numbers that a double holds with decimals; others are of a damaged header. */
@@ -114,15 +108,15 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
     throw InvalidInput("the LAS header is cut short; copy the file again");
   }
   LasHeader header;
-  header.point_format = parse_point_format(get<std::uint8_t>(bytes, point_format_at), compression);
-  header.header_bytes = get<std::uint16_t>(bytes, header_bytes_at);
-  header.record_count = get<std::uint32_t>(bytes, record_count_at);
-  header.record_bytes = get<std::uint16_t>(bytes, record_bytes_at);
-  header.begin = get<std::uint32_t>(bytes, begin_at);
+  header.point_format = parse_point_format(number_at<std::uint8_t>(bytes.data() + point_format_at), compression);
+  header.header_bytes = number_at<std::uint16_t>(bytes.data() + header_bytes_at);
+  header.record_count = number_at<std::uint32_t>(bytes.data() + record_count_at);
+  header.record_bytes = number_at<std::uint16_t>(bytes.data() + record_bytes_at);
+  header.begin = number_at<std::uint32_t>(bytes.data() + begin_at);
   header.count = parse_count(bytes);
   header.end = parse_end(bytes, source.size());
-  header.scale = get<std::array<double, 3>>(bytes, scale_at);
-  header.offset = get<std::array<double, 3>>(bytes, offset_at);
+  header.scale = number_at<std::array<double, 3>>(bytes.data() + scale_at);
+  header.offset = number_at<std::array<double, 3>>(bytes.data() + offset_at);
   if (header.record_bytes < las_standard_bytes(header.point_format)) {
     throw_damaged("records shorter than their point format");
   }

@@ -5,10 +5,11 @@
 #include "io/las_extra_bytes.h"
 #include "io/las_header.h"
 #include "io/las_layout.h"
+#include "io/number_at.h"
 #include "io/record_reader.h"
+#include "io/sentence_list.h"
 
 #include <array>
-#include <boost/algorithm/string/join.hpp>
 #include <cstring>
 #include <functional>
 #include <mutex>
@@ -20,7 +21,6 @@ namespace
 {
 
 constexpr double scan_angle_unit = 0.006;  // degrees; of formats 6 to 10
-constexpr const char* color_names[] = {"red", "green", "blue"};
 
 /** Some records of the file, and the rows that they become. */
 struct Block
@@ -32,14 +32,6 @@ struct Block
   [[nodiscard]] std::size_t size() const { return end - begin; }
   [[nodiscard]] const std::byte* operator[](std::size_t i) const { return records + i * record_bytes; }
 };
-
-template <typename Number>
-Number get(const std::byte* bytes)
-{
-  Number number;
-  std::memcpy(&number, bytes, sizeof number);
-  return number;
-}
 
 /** The blocks of all records, read by several threads. */
 void for_each_block(const ByteSource& source,
@@ -68,7 +60,7 @@ ColorDepth survey_colors(const ByteSource& source,
   for_each_block(source, header, parallel, [&](const Block& block) {
     ColorDepth block_depth;
     for (std::size_t i = 0; i < block.size(); ++i) {
-      for (const std::uint16_t channel : get<std::array<std::uint16_t, 3>>(block[i] + color_at)) {
+      for (const std::uint16_t channel : number_at<std::array<std::uint16_t, 3>>(block[i] + color_at)) {
         block_depth.add(channel);
       }
     }
@@ -90,7 +82,7 @@ std::vector<Field> standard_fields(const LasLayout& layout, std::uint16_t diviso
   if (layout.scan_angle_at != 0) {
     fields.push_back({"scan_angle", ScalarType::float32});
   }
-  for (const char* name : color_names) {
+  for (const char* name : color_fields) {
     if (layout.has_color()) {
       fields.push_back({name, divisor == 0 ? ScalarType::uint16 : ScalarType::uint8});
     }
@@ -125,7 +117,7 @@ void fill_coordinates(PointTable& table, const LasHeader& header, const Block& b
     const double scale = header.scale[axis];
     const double offset = header.offset[axis];
     fill(table, table.fields()[axis].name, block, [=](const std::byte* record) {
-      return scale * get<std::int32_t>(record + axis * sizeof(std::int32_t)) + offset;
+      return scale * number_at<std::int32_t>(record + axis * sizeof(std::int32_t)) + offset;
     });
   }
 }
@@ -143,19 +135,19 @@ void fill_bits(PointTable& table, const LasLayout& layout, const Block& block)
 void fill_scan_angle(PointTable& table, const LasLayout& layout, const Block& block)
 {
   fill(table, "scan_angle", block, [&](const std::byte* record) {
-    return static_cast<float>(get<std::int16_t>(record + layout.scan_angle_at) * scan_angle_unit);
+    return static_cast<float>(number_at<std::int16_t>(record + layout.scan_angle_at) * scan_angle_unit);
   });
 }
 
 void fill_colors(PointTable& table, const LasLayout& layout, std::uint16_t divisor, const Block& block)
 {
   std::size_t place = layout.color_at;
-  for (const char* name : color_names) {
+  for (const char* name : color_fields) {
     if (divisor == 0) {
-      fill(table, name, block, [=](const std::byte* record) { return get<std::uint16_t>(record + place); });
+      fill(table, name, block, [=](const std::byte* record) { return number_at<std::uint16_t>(record + place); });
     } else {
       fill(table, name, block, [=](const std::byte* record) {
-        return static_cast<std::uint8_t>(get<std::uint16_t>(record + place) / divisor);
+        return static_cast<std::uint8_t>(number_at<std::uint16_t>(record + place) / divisor);
       });
     }
     place += sizeof(std::uint16_t);
@@ -166,7 +158,8 @@ void fill_scaled(PointTable& table, const ExtraScalar& scalar, const Block& bloc
 {
   visit_scalar(scalar.column.type, [&](auto zero) {
     fill(table, scalar.column.name, block, [&](const std::byte* record) {
-      return scalar.scale * static_cast<double>(get<decltype(zero)>(record + scalar.column.offset)) + scalar.offset;
+      return scalar.scale * static_cast<double>(number_at<decltype(zero)>(record + scalar.column.offset)) +
+             scalar.offset;
     });
   });
 }
@@ -182,7 +175,7 @@ std::string what_is_not_read(const LasHeader& header, const ExtraBytes& extra)
   if (!extra.is_complete) {
     names.emplace_back(extra.scalars.empty() ? "extra bytes" : "some of the extra bytes");
   }
-  return boost::algorithm::join(names, " and ");
+  return sentence_list(names);
 }
 
 }  // namespace

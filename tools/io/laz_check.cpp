@@ -2,6 +2,7 @@
 #include "io/laz_check.h"
 
 #include "io/las_header.h"
+#include "io/las_records.h"
 
 #include <pcl_pds_recon/options.h>
 
@@ -23,7 +24,7 @@ constexpr std::uint32_t variable_chunks = std::numeric_limits<std::uint32_t>::ma
 }
 
 template <typename Number>
-Number get(const ByteSource& source, std::uint64_t place)
+Number read_number(const ByteSource& source, std::uint64_t place)
 {
   Number number{};
   if (place > source.size() || source.size() - place < sizeof number) {
@@ -36,19 +37,13 @@ Number get(const ByteSource& source, std::uint64_t place)
 /** Points in a chunk, from the record that LASzip leaves in the header. */
 std::uint32_t find_chunk_size(const ByteSource& source, const LasHeader& header)
 {
-  constexpr std::size_t head_bytes = 54;  // of a variable-length record
-  constexpr std::size_t record_id_at = 18;
-  constexpr std::size_t length_at = 20;
   constexpr std::uint16_t laszip_record = 22204;
   constexpr std::size_t chunk_size_at = 12;
-  std::uint64_t place = header.header_bytes;
-  for (std::uint32_t i = 0; i < header.record_count; ++i) {
-    if (get<std::uint16_t>(source, place + record_id_at) == laszip_record) {
-      return get<std::uint32_t>(source, place + head_bytes + chunk_size_at);
-    }
-    place += head_bytes + get<std::uint16_t>(source, place + length_at);
+  const std::optional<LasRecord> record = find_las_record(source, header, "laszip encoded", laszip_record);
+  if (!record) {
+    throw InvalidInput("has no LASzip record in its header: the file is damaged or no LAZ; write it again");
   }
-  throw InvalidInput("has no LASzip record in its header: the file is damaged or no LAZ; write it again");
+  return read_number<std::uint32_t>(source, record->begin + chunk_size_at);
 }
 
 }  // namespace
@@ -57,13 +52,13 @@ void check_laz(const ByteSource& source)
 {
   const LasHeader header = read_las_header(source, LasCompression::laszip);
   const std::uint32_t chunk_size = find_chunk_size(source, header);
-  const auto table_at = get<std::int64_t>(source, header.begin);
+  const auto table_at = read_number<std::int64_t>(source, header.begin);
   const bool is_table_at_end = table_at == -1;  // the writer could not seek back
   if (chunk_size == variable_chunks || is_table_at_end) {
     return;
   }
   constexpr std::uint64_t version_bytes = 4;
-  const auto chunks = get<std::uint32_t>(source, static_cast<std::uint64_t>(table_at) + version_bytes);
+  const auto chunks = read_number<std::uint32_t>(source, static_cast<std::uint64_t>(table_at) + version_bytes);
   if (header.count > std::uint64_t{chunks} * chunk_size) {
     throw_truncated();
   }

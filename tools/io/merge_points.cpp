@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/merge_points.h"
 
+#include "io/colors.h"
 #include "io/record_reader.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ void add_viewpoints(std::vector<Field>& fields)
     return std::find_if(fields.begin(), fields.end(), [name](const Field& field) { return field.name == name; });
   };
   const bool is_float = find("x")->type == ScalarType::float32;
-  for (const char* name : viewpoint_names) {
+  for (const char* name : viewpoint_fields) {
     if (find(name) == fields.end()) {
       fields.push_back({name, is_float ? ScalarType::float32 : ScalarType::float64});
     }
@@ -100,31 +101,47 @@ void mark_missing(const PointTable& cloud, PointTable& merged, std::size_t begin
 /** The sensor's place to each point of a cloud that has no viewpoints of its own. */
 void mark_viewpoint(const Eigen::Vector3d& origin, PointTable& merged, std::size_t begin, std::size_t end)
 {
-  for (std::size_t axis = 0; axis < viewpoint_names.size(); ++axis) {
-    const Field& field = *merged.find(viewpoint_names[axis]);
+  for (std::size_t axis = 0; axis < viewpoint_fields.size(); ++axis) {
+    const Field& field = *merged.find(viewpoint_fields[axis]);
     for (std::size_t row = begin; row < end; ++row) {
       merged.set_value(row, field, origin[static_cast<Eigen::Index>(axis)]);
     }
   }
 }
 
-/** Colours of 8 bits in a table whose colours have 16: 255 becomes 65535. */
-void widen_colors(PointTable& merged, std::size_t begin, std::size_t end)
+/** Whether whatever is called red, green or blue in any of the clouds is a colour, and so can be scaled. */
+bool have_only_colors(const std::vector<PointTable>& clouds)
 {
-  constexpr double factor = 257;
-  for (const char* name : {"red", "green", "blue"}) {
+  return std::all_of(clouds.begin(), clouds.end(), [](const PointTable& cloud) {
+    const bool has_any = std::any_of(color_fields.begin(), color_fields.end(),
+                                     [&cloud](const char* name) { return cloud.find(name) != nullptr; });
+    return !has_any || cloud.color_type();
+  });
+}
+
+/** Full brightness of \a from becomes that of \a to. */
+void scale_colors(PointTable& merged, std::size_t begin, std::size_t end, double from, double to)
+{
+  for (const char* name : color_fields) {
     const Field& field = *merged.find(name);
     for (std::size_t row = begin; row < end; ++row) {
-      merged.set_value(row, field, merged.value(row, field) * factor);
+      merged.set_value(row, field, merged.value(row, field) * to / from);
     }
   }
 }
 
-void append(const PointTable& cloud, double number, PointTable& merged, std::size_t first, const Parallel& parallel)
+void append(const PointTable& cloud,
+            double number,
+            bool scales_colors,
+            PointTable& merged,
+            std::size_t first,
+            const Parallel& parallel)
 {
   const RecordLayout layout = layout_of(cloud);
   const Field& scan = *merged.find(scan_field);
-  const bool widens_colors = cloud.color_type() == ScalarType::uint8 && merged.color_type() == ScalarType::uint16;
+  const Field* red = scales_colors ? cloud.find(color_fields.front()) : nullptr;
+  const double from = red ? full_brightness(red->type) : 1;
+  const double to = red ? full_brightness(merged.find(color_fields.front())->type) : 1;
   constexpr std::size_t block = std::size_t{1} << 13;  // rows; they stay in the cache from field to field
   parallel.blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
     copy_records(cloud.record(begin), layout, end - begin, merged, first + begin);
@@ -132,8 +149,8 @@ void append(const PointTable& cloud, double number, PointTable& merged, std::siz
     if (cloud.sensor_origin && merged.has_viewpoints() && !cloud.has_viewpoints()) {
       mark_viewpoint(*cloud.sensor_origin, merged, first + begin, first + end);
     }
-    if (widens_colors) {
-      widen_colors(merged, first + begin, first + end);
+    if (from != to) {
+      scale_colors(merged, first + begin, first + end, from, to);
     }
     for (std::size_t row = begin; row < end; ++row) {
       merged.set_value(first + row, scan, number);
@@ -146,23 +163,27 @@ void append(const PointTable& cloud, double number, PointTable& merged, std::siz
 PointTable merge_points(std::vector<PointTable> clouds, const Parallel& parallel)
 {
   std::size_t size = 0;
+  bool z_is_up = false;
   bool have_same_origin = true;
   for (const PointTable& cloud : clouds) {
     size += cloud.size();
+    z_is_up = z_is_up || cloud.z_is_up;
     have_same_origin = have_same_origin && cloud.sensor_origin == clouds.front().sensor_origin;
   }
+  const bool scales_colors = have_only_colors(clouds);
   std::vector<Field> fields = common_fields(clouds);
   if (!have_same_origin) {
     add_viewpoints(fields);
   }
   PointTable merged(std::move(fields), size);
+  merged.z_is_up = z_is_up;
   if (have_same_origin) {
     merged.sensor_origin = clouds.front().sensor_origin;
   }
   std::size_t first = 0;
   double number = 0;
   for (PointTable& cloud : clouds) {
-    append(cloud, ++number, merged, first, parallel);
+    append(cloud, ++number, scales_colors, merged, first, parallel);
     first += cloud.size();
     cloud.resize(0);
   }

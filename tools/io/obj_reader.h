@@ -8,9 +8,10 @@
 namespace pds
 {
 
-/** \brief Reads the 'v' lines of a Wavefront OBJ file in memory, positions in double. Everything else is passed over.
+/** \brief Reads the vertices of a Wavefront OBJ file in memory: positions and normals in double, and colours.
  *
- * If every line has six or more numbers, the last three are a colour in 0 ... 1 and become red, green and blue.
+ * The last three of six or more numbers of a vertex are its colour. It is of 8 or 16 bits if it could have been written
+ * from those. Not read is what no vertex has, and normals or colours that not every vertex has.
  * \throws InvalidInput naming a line that is wrong
  */
 [[nodiscard]] PointTable read_obj(std::string_view file);

@@ -2,9 +2,10 @@
 #include "io/obj_writer.h"
 
 #include "io/ascii_writer.h"
+#include "io/colors.h"
 
 #include <cstring>
-#include <initializer_list>
+#include <optional>
 #include <string>
 
 namespace pds
@@ -13,10 +14,7 @@ namespace pds
 namespace
 {
 
-void append_fields(AsciiWriter& writer,
-                   const PointTable& points,
-                   std::size_t row,
-                   std::initializer_list<const char*> names)
+void append_fields(AsciiWriter& writer, const PointTable& points, std::size_t row, const FieldTriple& names)
 {
   for (const char* name : names) {
     const Field& field = *points.find(name);
@@ -27,47 +25,59 @@ void append_fields(AsciiWriter& writer,
   }
 }
 
-}  // namespace
-
-void write_obj(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments)
+void append_vertices(AsciiWriter& writer, const PointTable& points)
 {
-  AsciiWriter writer(file);
-  const std::optional<ScalarType> color_type = points.color_type();
-  const double greatest_color = color_type == ScalarType::uint16 ? 65535 : 255;  // OBJ has colours in 0 ... 1
+  const std::optional<Colors> colors = points.color_type() ? std::optional<Colors>(points) : std::nullopt;
   for (std::size_t row = 0; row < points.size(); ++row) {
     writer.append("v");
-    append_fields(writer, points, row, {"x", "y", "z"});
-    if (color_type) {
-      for (const char* channel : {"red", "green", "blue"}) {
-        writer.append_number(points.value(row, *points.find(channel)) / greatest_color);
+    append_fields(writer, points, row, position_fields);
+    if (colors) {
+      for (const double channel : (*colors)[row]) {
+        writer.append_number(channel);
       }
     }
     writer.end_line();
   }
-  for (std::size_t row = 0; row < points.size() && points.has_normals(); ++row) {
+}
+
+void append_normals(AsciiWriter& writer, const PointTable& points)
+{
+  for (std::size_t row = 0; row < points.size(); ++row) {
     writer.append("vn");
-    append_fields(writer, points, row, {"nx", "ny", "nz"});
+    append_fields(writer, points, row, normal_fields);
     writer.end_line();
   }
-  for (const auto& triangle : triangles) {
-    writer.append("f");
-    for (const std::uint32_t vertex : triangle) {
-      const std::string number = std::to_string(vertex + 1);  // OBJ counts from 1
+}
+
+/** Faces or lines; OBJ counts vertices from 1. */
+template <typename Cells>
+void append_cells(AsciiWriter& writer, const char* keyword, const Cells& cells, bool with_normals)
+{
+  for (const auto& cell : cells) {
+    writer.append(keyword);
+    for (const std::uint32_t vertex : cell) {
+      const std::string number = std::to_string(vertex + 1);
       std::string corner = number;
-      if (points.has_normals()) {
+      if (with_normals) {
         corner.append("//").append(number);
       }
       writer.append(corner);
     }
     writer.end_line();
   }
-  for (const auto& segment : segments) {
-    writer.append("l");
-    for (const std::uint32_t vertex : segment) {
-      writer.append(std::to_string(vertex + 1));
-    }
-    writer.end_line();
+}
+
+}  // namespace
+
+void write_obj(AtomicFile& file, const PointTable& points, const Triangles& triangles, const Segments& segments)
+{
+  AsciiWriter writer(file);
+  append_vertices(writer, points);
+  if (points.has_normals()) {
+    append_normals(writer, points);
   }
+  append_cells(writer, "f", triangles, points.has_normals());
+  append_cells(writer, "l", segments, false);
   writer.flush();
 }
 

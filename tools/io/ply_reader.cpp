@@ -4,10 +4,12 @@
 #include "io/ply_body.h"
 #include "io/ply_header.h"
 #include "io/record_reader.h"
+#include "io/sentence_list.h"
 
 #include <pcl_pds_recon/options.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/endian/conversion.hpp>
 #include <cstring>
 #include <numeric>
@@ -66,6 +68,34 @@ bool is_last(const std::vector<PlyElement>& elements, std::size_t index)
                      [](const PlyElement& element) { return element.count == 0; });
 }
 
+/** What is there beside the scalars of the vertices, as the end of a sentence. */
+std::string what_is_not_read(const std::vector<PlyElement>& elements, std::size_t vertex_index, bool has_more)
+{
+  std::vector<std::string> lists;
+  for (const PlyProperty& property : elements[vertex_index].properties) {
+    if (property.list_size_type) {
+      lists.push_back(property.name);
+    }
+  }
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (i != vertex_index && elements[i].count > 0) {
+      others.push_back(elements[i].name);
+    }
+  }
+  std::vector<std::string> items;
+  if (!lists.empty()) {
+    items.push_back("the list properties " + boost::algorithm::join(lists, " "));
+  }
+  if (!others.empty()) {
+    items.push_back("the rows of " + boost::algorithm::join(others, " "));
+  }
+  if (has_more) {
+    items.emplace_back(data_after_points);
+  }
+  return sentence_list(items);
+}
+
 /** Scalar by scalar: for text, and for lists, whose sizes are known only when they are met. */
 template <typename Body>
 PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std::size_t vertex_index)
@@ -89,9 +119,8 @@ PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std
   for (std::size_t row = 0; row < table.size(); ++row) {
     read_row(body, targets, table, row);
   }
-  if (is_last(elements, vertex_index) && body.has_more(std::max<std::size_t>(1, least_row_bytes))) {
-    table.not_read = data_after_points;
-  }
+  const bool has_more = is_last(elements, vertex_index) && body.has_more(std::max<std::size_t>(1, least_row_bytes));
+  table.not_read = what_is_not_read(elements, vertex_index, has_more);
   return table;
 }
 
@@ -135,9 +164,8 @@ PointTable read_binary_records(const ByteSource& source,
   }
   layout.columns = scalar_columns(header.elements[vertex_index]);
   PointTable table = read_records(source, layout, parallel);
-  if (is_last(header.elements, vertex_index) && has_data_after_points(layout, source.size())) {
-    table.not_read = data_after_points;
-  }
+  const bool has_more = is_last(header.elements, vertex_index) && has_data_after_points(layout, source.size());
+  table.not_read = what_is_not_read(header.elements, vertex_index, has_more);
   return table;
 }
 

@@ -4,7 +4,6 @@
 #include <pcl_pds_recon/options.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <new>
 #include <set>
@@ -16,24 +15,19 @@ namespace pds
 namespace
 {
 
-using Triple = std::array<const char*, 3>;
-constexpr Triple position_names = {"x", "y", "z"};
-constexpr Triple normal_names = {"nx", "ny", "nz"};
-constexpr Triple color_names = {"red", "green", "blue"};
-
 auto find_field(std::vector<Field>& fields, const char* name)
 {
   return std::find_if(fields.begin(), fields.end(), [name](const Field& field) { return field.name == name; });
 }
 
-bool contains_all(std::vector<Field>& fields, const Triple& names)
+bool contains_all(std::vector<Field>& fields, const FieldTriple& names)
 {
   return std::all_of(names.begin(), names.end(),
                      [&fields](const char* name) { return find_field(fields, name) != fields.end(); });
 }
 
 /** Moves the fields of \a names to \a place and gives them one floating-point type, as Vector3View needs them. */
-void gather_triple(std::vector<Field>& fields, const Triple& names, std::size_t place)
+void gather_triple(std::vector<Field>& fields, const FieldTriple& names, std::size_t place)
 {
   bool all_float = true;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -45,6 +39,20 @@ void gather_triple(std::vector<Field>& fields, const Triple& names, std::size_t 
   for (std::size_t i = 0; i < names.size(); ++i) {
     fields[place + i].type = all_float ? ScalarType::float32 : ScalarType::float64;
   }
+}
+
+bool may_be_color(const PointTable& points, const Field& field)
+{
+  if (field.type != ScalarType::float32 && field.type != ScalarType::float64) {
+    return field.type == ScalarType::uint8 || field.type == ScalarType::uint16;
+  }
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    const double value = points.value(row, field);
+    if (value < 0 || value > 1) {  // which NaN is not
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -79,6 +87,11 @@ const char* ply_name(ScalarType type)
   return "double";
 }
 
+bool is_one_of(const std::string& name, const FieldTriple& names)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 PointTable::PointTable(std::vector<Field> fields, std::size_t size) : fields_(std::move(fields))
 {
   std::set<std::string> names;
@@ -87,17 +100,17 @@ PointTable::PointTable(std::vector<Field> fields, std::size_t size) : fields_(st
       throw InvalidInput("the field '" + field.name + "' appears twice; give each field a name of its own");
     }
   }
-  if (!contains_all(fields_, position_names)) {
+  if (!contains_all(fields_, position_fields)) {
     throw InvalidInput("has no coordinates x, y and z; name the three fields so");
   }
-  gather_triple(fields_, position_names, 0);
-  has_normals_ = contains_all(fields_, normal_names);
+  gather_triple(fields_, position_fields, 0);
+  has_normals_ = contains_all(fields_, normal_fields);
   if (has_normals_) {
-    gather_triple(fields_, normal_names, position_names.size());
+    gather_triple(fields_, normal_fields, position_fields.size());
   }
-  has_viewpoints_ = contains_all(fields_, viewpoint_names);
+  has_viewpoints_ = contains_all(fields_, viewpoint_fields);
   if (has_viewpoints_) {
-    gather_triple(fields_, viewpoint_names, position_names.size() + (has_normals_ ? normal_names.size() : 0));
+    gather_triple(fields_, viewpoint_fields, position_fields.size() + (has_normals_ ? normal_fields.size() : 0));
   }
   for (Field& field : fields_) {
     field.offset = record_bytes_;
@@ -128,15 +141,14 @@ const Field* PointTable::find(const std::string& name) const
 
 std::optional<ScalarType> PointTable::color_type() const
 {
-  for (const ScalarType type : {ScalarType::uint8, ScalarType::uint16}) {
-    if (std::all_of(color_names.begin(), color_names.end(), [this, type](const char* name) {
-          const Field* field = find(name);
-          return field && field->type == type;
-        })) {
-      return type;
-    }
+  const Field* first = find(color_fields.front());
+  if (!first || !std::all_of(color_fields.begin(), color_fields.end(), [this, first](const char* name) {
+        const Field* field = find(name);
+        return field && field->type == first->type && may_be_color(*this, *field);
+      })) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  return first->type;
 }
 
 double PointTable::value(std::size_t i, const Field& field) const
@@ -161,6 +173,7 @@ PointTable PointTable::select(const std::vector<std::uint32_t>& indices, std::si
   for (std::size_t i = 0; i < count; ++i) {
     std::memcpy(selected.record(i), record(indices[i]), record_bytes_);
   }
+  selected.z_is_up = z_is_up;
   return selected;
 }
 
@@ -176,6 +189,7 @@ PointTable PointTable::with_fields(const std::vector<Field>& added, const Parall
 
   PointTable table(all, size_);
   table.sensor_origin = sensor_origin;
+  table.z_is_up = z_is_up;
   table.not_read = not_read;
   constexpr std::size_t block = std::size_t{1} << 13;  // rows; both tables' stay in the cache from field to field
   parallel.blocks(size_, block, [&](std::size_t begin, std::size_t end, unsigned) {
@@ -205,10 +219,10 @@ PointCloudView PointTable::view() const
   view.size = size_;
   view.positions = vectors_at(fields_.front());
   if (has_normals_) {
-    view.normals = vectors_at(fields_[position_names.size()]);
+    view.normals = vectors_at(fields_[position_fields.size()]);
   }
   if (has_viewpoints_) {
-    view.viewpoints = vectors_at(*find(viewpoint_names.front()));
+    view.viewpoints = vectors_at(*find(viewpoint_fields.front()));
   }
   view.sensor_origin = sensor_origin;
   view.record_less = [this](std::uint32_t a, std::uint32_t b) {

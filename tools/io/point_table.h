@@ -75,8 +75,14 @@ struct Field
   std::size_t offset = 0;  ///< of the scalar in a record, in bytes; set by PointTable
 };
 
-/** \brief Names of the fields that say where the sensor stood that saw a point, as in pcl::PointWithViewpoint. */
-constexpr std::array<const char*, 3> viewpoint_names = {"vp_x", "vp_y", "vp_z"};
+/** \brief Names of fields that belong together. */
+using FieldTriple = std::array<const char*, 3>;
+inline constexpr FieldTriple position_fields = {"x", "y", "z"};
+inline constexpr FieldTriple normal_fields = {"nx", "ny", "nz"};
+inline constexpr FieldTriple color_fields = {"red", "green", "blue"};
+/** Where the sensor stood that saw a point, as in pcl::PointWithViewpoint. */
+inline constexpr FieldTriple viewpoint_fields = {"vp_x", "vp_y", "vp_z"};
+[[nodiscard]] bool is_one_of(const std::string& name, const FieldTriple& names);
 
 /** \brief A point cloud as it stood in the file: one packed record of scalar fields per point, each kept to the last
  * bit.
@@ -111,11 +117,15 @@ class PointTable
   [[nodiscard]] bool has_normals() const { return has_normals_; }
   [[nodiscard]] bool has_viewpoints() const { return has_viewpoints_; }
 
-  /** \brief The type of red, green and blue if they are colours: all uchar, 0 ... 255, or all ushort, 0 ... 65535. */
+  /** \brief The type of red, green and blue if they are colours: all uchar, 0 ... 255, or all ushort, 0 ... 65535, or
+   * all float or all double and every value in 0 ... 1 or, where a point has none, NaN. */
   [[nodiscard]] std::optional<ScalarType> color_type() const;
 
   /** \brief Where the sensor stood that saw the points without a viewpoint of their own, if the file says so. */
   std::optional<Eigen::Vector3d> sensor_origin;
+
+  /** \brief Whether the file's format says that z points up, as those of surveying do. */
+  bool z_is_up = false;
 
   std::string not_read;  ///< what the file holds besides, as the end of a sentence; empty if nothing
 

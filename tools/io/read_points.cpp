@@ -73,8 +73,17 @@ PointTable read_by_extension(const std::string& path, const Parallel& parallel)
   if (extension == ".xyz" || extension == ".txt" || extension == ".csv") {
     return read_text_format(path, read_text);
   }
+  if (extension == ".gz") {
+    throw InvalidInput("is compressed; unpack it on the way: gunzip -c scan.ply.gz | pcl_pds_recon - out.ply");
+  }
   throw InvalidInput("cannot tell the format by the extension '" + extension +
                      "'; use .pcd, .ply, .las, .laz, .e57, .obj, .xyz, .txt or .csv");
+}
+
+/** The formats of surveying, in which z is the height; others do not say. */
+bool has_z_up(const std::string& extension)
+{
+  return extension == ".las" || extension == ".laz" || extension == ".e57";
 }
 
 }  // namespace
@@ -86,6 +95,7 @@ PointTable read_points(const std::string& path, const Parallel& parallel)
     if (table.size() == 0) {
       throw InvalidInput("holds no points; write the point cloud again");
     }
+    table.z_is_up = has_z_up(file_extension(path));
     return table;
   } catch (const InvalidInput& error) {
     throw InvalidInput((path == standard_stream ? "standard input" : path) + ": " + error.what());

@@ -11,17 +11,15 @@
 #include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <array>
 #include <cstring>
 #include <exception>
-#include <initializer_list>
 
 namespace pds
 {
 
 namespace
 {
-
-using Names = std::initializer_list<const char*>;
 
 int vtk_type(ScalarType type)
 {
@@ -51,9 +49,10 @@ int vtk_type(ScalarType type)
 }
 
 /** One array of as many components as names; all these fields have the type of the first. */
-vtkSmartPointer<vtkDataArray> make_array(const PointTable& points, Names names)
+template <std::size_t Size>
+vtkSmartPointer<vtkDataArray> make_array(const PointTable& points, const std::array<const char*, Size>& names)
 {
-  const ScalarType type = points.find(*names.begin())->type;
+  const ScalarType type = points.find(names.front())->type;
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(vtk_type(type)));
   array->SetNumberOfComponents(static_cast<int>(names.size()));
   array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
@@ -67,35 +66,25 @@ vtkSmartPointer<vtkDataArray> make_array(const PointTable& points, Names names)
   return array;
 }
 
-bool is_one_of(const std::string& name, Names names)
-{
-  for (const char* other : names) {
-    if (name == other) {
-      return true;
-    }
-  }
-  return false;
-}
-
 void add_fields(const PointTable& points, vtkPointData& data)
 {
   const bool has_colors = points.color_type().has_value();
   if (points.has_normals()) {
-    const auto normals = make_array(points, {"nx", "ny", "nz"});
+    const auto normals = make_array(points, normal_fields);
     normals->SetName("Normals");
     data.SetNormals(normals);
   }
   if (has_colors) {
-    const auto colors = make_array(points, {"red", "green", "blue"});
+    const auto colors = make_array(points, color_fields);
     colors->SetName("RGB");
     data.SetScalars(colors);
   }
   for (const Field& field : points.fields()) {
-    const bool is_done = is_one_of(field.name, {"x", "y", "z"}) ||
-                         (points.has_normals() && is_one_of(field.name, {"nx", "ny", "nz"})) ||
-                         (has_colors && is_one_of(field.name, {"red", "green", "blue"}));
+    const bool is_done = is_one_of(field.name, position_fields) ||
+                         (points.has_normals() && is_one_of(field.name, normal_fields)) ||
+                         (has_colors && is_one_of(field.name, color_fields));
     if (!is_done) {
-      const auto array = make_array(points, {field.name.c_str()});
+      const auto array = make_array(points, std::array{field.name.c_str()});
       array->SetName(field.name.c_str());
       data.AddArray(array);
     }
@@ -120,7 +109,7 @@ vtkSmartPointer<vtkPolyData> make_poly_data(const PointTable& points,
                                             const Segments& segments)
 {
   vtkNew<vtkPoints> positions;
-  positions->SetData(make_array(points, {"x", "y", "z"}));
+  positions->SetData(make_array(points, position_fields));
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(positions);
   mesh->SetPolys(make_cells(triangles));

@@ -3,9 +3,9 @@
 
 #include "io/glb_writer.h"
 #include "io/obj_writer.h"
+#include "io/sentence_list.h"
 #include "io/stl_writer.h"
 
-#include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <cstring>
 #include <limits>
@@ -22,18 +22,15 @@ namespace
 
 bool is_held(const std::string& extension, const PointTable& points, const std::string& name)
 {
-  const auto is_one_of = [&name](std::initializer_list<const char*> names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
   const bool holds_positions_only = extension == ".stl";
   const bool holds_attributes = extension != ".stl" && extension != ".obj" && extension != ".glb";
-  return holds_attributes || is_one_of({"x", "y", "z"}) ||
-         (!holds_positions_only && points.has_normals() && is_one_of({"nx", "ny", "nz"})) ||
-         (!holds_positions_only && points.color_type() && is_one_of({"red", "green", "blue"}));
+  return holds_attributes || is_one_of(name, position_fields) ||
+         (!holds_positions_only && points.has_normals() && is_one_of(name, normal_fields)) ||
+         (!holds_positions_only && points.color_type() && is_one_of(name, color_fields));
 }
 
-/** Whether red, green and blue are there but of a type that does not say which value is white. */
-bool has_colors_of_odd_type(const PointTable& points)
+/** Whether red, green and blue are there but say not which value is white. */
+bool has_odd_colors(const PointTable& points)
 {
   return !points.color_type() && points.find("red") && points.find("green") && points.find("blue");
 }
@@ -86,14 +83,15 @@ std::string lost_in_format(const std::string& extension, const PointTable& point
   const bool is_single_precision = extension == ".stl" || extension == ".glb";
   std::vector<std::string> losses;
   if (!lost_fields.empty()) {
-    const bool has_odd_colors = extension != ".stl" && has_colors_of_odd_type(points);
+    const bool could_hold_colors = extension != ".stl" && has_odd_colors(points);
     losses.push_back("the fields " + list(lost_fields) +
-                     (has_odd_colors ? " (colours only if all are uchar or all ushort)" : ""));
+                     (could_hold_colors ? " (colours only if all are uchar, ushort, or floats of 0 to 1)" : ""));
   }
   if (!rounded_fields.empty()) {
     losses.push_back("the last digits of " + list(rounded_fields));
   }
-  if (extension == ".glb" && points.color_type() == ScalarType::uint16) {
+  const std::optional<ScalarType> color_type = points.color_type();
+  if (extension == ".glb" && color_type && color_type != ScalarType::uint8) {
     losses.emplace_back("the last digits of the colours");  // linear ones leave dark shades fewer numbers
   }
   if (extension == ".glb" && points.has_normals() && points.find("nx")->type == ScalarType::float64) {
@@ -102,7 +100,7 @@ std::string lost_in_format(const std::string& extension, const PointTable& point
   if (is_single_precision && points.has_double_positions()) {
     losses.emplace_back("the last digits of the coordinates");
   }
-  return boost::algorithm::join(losses, " and ");
+  return sentence_list(losses);
 }
 
 bool holds_segments(const std::string& extension) { return extension != ".stl"; }

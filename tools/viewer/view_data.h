@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/byte_colors.h"
+#include "io/colors.h"
 
 #include <pcl_pds_recon/point_cloud_view.h>
 #include <pcl_pds_recon/triangle_mesh.h>

@@ -223,6 +223,37 @@ void ViewerWindow::save_camera()
   say("camera saved; k returns to it");
 }
 
+bool ViewerWindow::change_look(char key)
+{
+  vtkCamera* camera = view_.renderer()->GetActiveCamera();
+  switch (key) {
+    case 'f':
+      view_.shade(view_.shading() == Shading::smooth ? Shading::flat
+                  : view_.shading() == Shading::flat ? Shading::wireframe
+                                                     : Shading::smooth);
+      return true;
+    case 'o':
+      if (!view_.has_scan_colors()) {
+        say("the scan has no colours");
+        return false;
+      }
+      view_.show_scan_colors(!view_.shows_scan_colors());
+      return true;
+    case 'k':
+      camera->DeepCopy(saved_camera_);
+      camera->Modified();  // VTK's copy does not say so, and the old matrices would go on
+      return true;
+    case 'r':
+      view_.renderer()->ResetCamera();
+      return true;
+    case 'h':
+      help_->SetVisibility(help_->GetVisibility() == 0 ? 1 : 0);
+      return true;
+    default:
+      return false;
+  }
+}
+
 void ViewerWindow::press(char key, int x, int y)
 {
   const auto* layer =
@@ -231,20 +262,7 @@ void ViewerWindow::press(char key, int x, int y)
     toggle(*layer);
     return;
   }
-  vtkCamera* camera = view_.renderer()->GetActiveCamera();
   switch (key) {
-    case 'f':
-      view_.shade(view_.shading() == Shading::smooth ? Shading::flat
-                  : view_.shading() == Shading::flat ? Shading::wireframe
-                                                     : Shading::smooth);
-      break;
-    case 'o':
-      if (!view_.has_scan_colors()) {
-        say("the scan has no colours");
-        return;
-      }
-      view_.show_scan_colors(!view_.shows_scan_colors());
-      break;
     case '+':
     case '-':
     case 'a':
@@ -256,23 +274,14 @@ void ViewerWindow::press(char key, int x, int y)
     case 'K':
       save_camera();
       return;
-    case 'k':
-      camera->DeepCopy(saved_camera_);
-      camera->Modified();  // VTK's copy does not say so, and the old matrices would go on
-      break;
-    case 'r':
-      view_.renderer()->ResetCamera();
-      break;
-    case 'h':
-      help_->SetVisibility(help_->GetVisibility() == 0 ? 1 : 0);
-      break;
     case 'q':
       interactor_->ExitCallback();
       return;
     default:
-      return;
+      if (change_look(key)) {
+        draw();
+      }
   }
-  draw();
 }
 
 }  // namespace pds

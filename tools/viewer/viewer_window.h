@@ -52,6 +52,7 @@ class ViewerWindow
   void toggle(const LayerName& layer);
   void change_options(char key);
   void save_camera();
+  [[nodiscard]] bool change_look(char key);  ///< whether that is what the key does, and it is to be drawn
 
   using Clock = std::chrono::steady_clock;
 
