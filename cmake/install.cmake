@@ -33,6 +33,10 @@ if(TARGET pcl_pds_recon_tool)
     endif()
   endforeach()
 endif()
+if(TARGET pcl_pds_recon_tool)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/config" DESTINATION "${CMAKE_INSTALL_DATADIR}/pcl_pds_recon"
+          COMPONENT tools)
+endif()
 if(manual_pages)
   install(FILES ${manual_pages} DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT tools)
 endif()
@@ -58,8 +62,19 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/pcl_pds_recon-config-ver
 install(FILES "${PROJECT_BINARY_DIR}/pcl_pds_recon-config.cmake"
               "${PROJECT_BINARY_DIR}/pcl_pds_recon-config-version.cmake" DESTINATION "${package_dir}" COMPONENT dev)
 
-# PCL's own module names are the same in its .pc files; what the headers need of FLANN and Boost those say.
 file(RELATIVE_PATH path_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
-configure_file("${PROJECT_SOURCE_DIR}/cmake/pcl_pds_recon.pc.in" "${PROJECT_BINARY_DIR}/pcl_pds_recon.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/pcl_pds_recon.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT library)
+# A module of pkg-config for a library. private_libraries: what a static one leaves to the program.
+function(pds_install_pkg_config pc_name pc_description pc_requires pc_private_libraries)
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/pcl_pds_recon.pc.in" "${PROJECT_BINARY_DIR}/${pc_name}.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/${pc_name}.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
+endfunction()
+pds_install_pkg_config(pcl_pds_recon_core "${PROJECT_DESCRIPTION}: the method, without PCL" eigen3 -pthread)
+# PCL's own module names are the same in its .pc files; what the headers need of FLANN and Boost those say.
+pds_install_pkg_config(pcl_pds_recon "${PROJECT_DESCRIPTION}"
+                       "pcl_pds_recon_core eigen3 pcl_common pcl_search pcl_kdtree" "")
+if(TARGET pcl_pds_recon_compare)
+  pds_install_pkg_config(pcl_pds_recon_compare "${PROJECT_DESCRIPTION}: deviation of meshes" pcl_pds_recon_core
+                         -lembree3)
+endif()
+# Not a part of any package: Debian has a file of its own for it, see package.cmake.
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)

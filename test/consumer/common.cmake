@@ -11,7 +11,13 @@ function(run)
   endif()
 endfunction()
 
-# Configures and builds the project in SOURCE, and runs its program 'consumer'. Further arguments go to CMake.
+# A program for each library.
+set(programs core pcl_class)
+if(HAS_COMPARE)
+  list(APPEND programs compare)
+endif()
+
+# Configures and builds the project in SOURCE, and runs its programs. Further arguments go to CMake.
 function(build_and_run source)
   run("${CMAKE_COMMAND}"
       -S "${source}"
@@ -20,11 +26,14 @@ function(build_and_run source)
       "-DCMAKE_BUILD_TYPE=${CONFIG}"
       "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
       "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+      "-DHAS_COMPARE=${HAS_COMPARE}"
       ${ARGN})
-  run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${CONFIG}" --target consumer)
-  find_program(
-    consumer consumer
-    PATHS "${WORK_DIR}/build" "${WORK_DIR}/build/${CONFIG}"
-    NO_DEFAULT_PATH)
-  run("${consumer}")
+  run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${CONFIG}")
+  foreach(program IN LISTS programs)
+    find_program(
+      path_of_${program} ${program}
+      PATHS "${WORK_DIR}/build" "${WORK_DIR}/build/${CONFIG}"
+      NO_DEFAULT_PATH)
+    run("${path_of_${program}}")
+  endforeach()
 endfunction()
