@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the machine allows, to hold the stages' times against: work that needs nothing but a core, reading of memory, and
-// new memory, which the system has to clear; with one thread and with all cores.
+// What the machine allows, to hold the stages' times against: work that needs nothing but a core, reading of memory,
+// and new memory, which the system has to clear; with one thread and with all cores.
 #include <benchmark/benchmark.h>
 #include <pcl_pds_recon/parallel.h>
 #include <sys/mman.h>
