@@ -15,7 +15,8 @@ constexpr std::size_t axes = 3;
 constexpr int side_bits = 2;
 constexpr std::uint64_t side = 1U << side_bits;  // of a cell, in blocks
 constexpr int place_bits = axes * side_bits;     // of a block's place in its cell
-constexpr std::uint64_t place_mask = (std::uint64_t{1} << place_bits) - 1;
+constexpr std::uint64_t place_mask = CellSchedule::blocks_per_cell - 1;
+static_assert(side * side * side == CellSchedule::blocks_per_cell, "numbers end in a block's place in its cell");
 
 using Step = std::array<int, axes>;  // to a cell beside, -1 ... 1 along each axis
 constexpr std::size_t steps = 27;
@@ -26,25 +27,45 @@ constexpr Step step_of(std::size_t number)
   return {n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1};
 }
 
-/** \brief Of the 64 blocks of the cell that lies a step away, a bit for each that touches the cell it was made from. */
-constexpr std::uint64_t touching_blocks(const Step& step)
+/** \brief Of the 64 blocks of the cell that lies a step away, a bit for each that touches the block at this place. */
+constexpr std::uint64_t touching_blocks(const Step& step, std::uint64_t place)
 {
-  std::uint64_t touching = 0;
-  for (std::uint64_t place = 0; place <= place_mask; ++place) {
-    bool touches = true;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      const std::uint64_t along = place >> ((axes - 1 - axis) * side_bits) & (side - 1);
-      if ((step[axis] < 0 && along != side - 1) || (step[axis] > 0 && along != 0)) touches = false;
+  // Along each axis those of three blocks that are in that cell, as bits.
+  std::array<std::uint64_t, axes> along{};
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    const auto block = static_cast<int>(place >> ((axes - 1 - axis) * side_bits) & (side - 1));
+    for (int near = block - 1; near <= block + 1; ++near) {
+      const int there = near - step[axis] * static_cast<int>(side);
+      if (there >= 0 && there < static_cast<int>(side)) along[axis] |= std::uint64_t{1} << there;
     }
-    if (touches) touching |= std::uint64_t{1} << place;
   }
+  std::uint64_t touching = 0;
+  for (std::uint64_t other = 0; other <= place_mask; ++other)
+    if ((along[0] >> (other >> 2 * side_bits) & along[1] >> (other >> side_bits & (side - 1)) &
+         along[2] >> (other & (side - 1)) & 1) != 0)
+      touching |= std::uint64_t{1} << other;
   return touching;
 }
 
-constexpr std::array<std::uint64_t, steps> touching_blocks_by_step()
+using TouchingBlocks = std::array<std::array<std::uint64_t, place_mask + 1>, steps>;
+
+constexpr TouchingBlocks all_touching_blocks()
 {
-  std::array<std::uint64_t, steps> touching{};
-  for (std::size_t number = 0; number < steps; ++number) touching[number] = touching_blocks(step_of(number));
+  TouchingBlocks touching{};
+  for (std::size_t step = 0; step < steps; ++step)
+    for (std::uint64_t place = 0; place <= place_mask; ++place)
+      touching[step][place] = touching_blocks(step_of(step), place);
+  return touching;
+}
+
+constexpr TouchingBlocks touching_by_step_and_place = all_touching_blocks();
+
+/** \brief As touching_blocks(), for any of several blocks. */
+std::uint64_t touching_any(std::size_t step, std::uint64_t blocks)
+{
+  std::uint64_t touching = 0;
+  for (std::uint64_t place = 0; blocks != 0; ++place, blocks >>= 1)
+    if ((blocks & 1) != 0) touching |= touching_by_step_and_place[step][place];
   return touching;
 }
 
@@ -162,16 +183,17 @@ std::size_t CellSchedule::find(std::uint64_t key) const
   return place != end && *place == key ? static_cast<std::size_t>(place - cell_.begin()) : cell_.size();
 }
 
-void CellSchedule::append_surroundings(std::size_t cell, std::vector<RankRange>& patch) const
+void CellSchedule::append_surroundings(std::size_t cell, std::uint64_t blocks, std::vector<RankRange>& patch) const
 {
-  static constexpr std::array<std::uint64_t, steps> touching = touching_blocks_by_step();
   const CellKeys keys(axis_bits_);
-  for (std::size_t number = 0; number < steps; ++number) {
-    const std::size_t next = find(keys.next_to(cell_[cell], step_of(number)));
+  for (std::size_t step = 0; step < steps; ++step) {
+    const std::uint64_t touching = touching_any(step, blocks);
+    if (touching == 0) continue;
+    const std::size_t next = find(keys.next_to(cell_[cell], step_of(step)));
     if (next == cell_.size()) continue;
     for (std::size_t r = run_begin_[next]; r < run_begin_[next + 1]; ++r) {
       const RankRange& points = runs_[r].points;
-      if ((touching[number] >> (runs_[r].block & place_mask) & 1) == 0) continue;
+      if ((touching >> (runs_[r].block & place_mask) & 1) == 0) continue;
       if (!patch.empty() && patch.back().end == points.begin)
         patch.back().end = points.end;
       else

@@ -25,6 +25,7 @@ class CellSchedule
 {
  public:
   static constexpr std::size_t color_count = 8;
+  static constexpr std::uint64_t blocks_per_cell = 64;
 
   /** \param block_side in units of position, which are within [-0.5, 0.5] */
   CellSchedule(const OrderedPoints& points, double block_side, const Parallel& parallel);
@@ -35,15 +36,18 @@ class CellSchedule
   [[nodiscard]] std::size_t last_cell(std::size_t color) const { return color_begin_[color + 1]; }
   ///@}
 
-  /** \brief Calls visit(range) for the points of a cell. */
+  /** \brief Calls visit(range, block) for the points of a cell; they are in one of its 64 blocks, of which \a block is
+   * the bit. */
   template <typename Visit>
   void visit_points(std::size_t cell, const Visit& visit) const
   {
-    for (std::size_t run = run_begin_[cell]; run < run_begin_[cell + 1]; ++run) visit(runs_[run].points);
+    for (std::size_t run = run_begin_[cell]; run < run_begin_[cell + 1]; ++run)
+      visit(runs_[run].points, std::uint64_t{1} << runs_[run].block % blocks_per_cell);
   }
 
-  /** \brief Appends the points of a cell and of the blocks next to it. */
-  void append_surroundings(std::size_t cell, std::vector<RankRange>& patch) const;
+  /** \brief Appends the points of some blocks of a cell and of those next to them, in the same cell or another.
+   * \param blocks a bit for each */
+  void append_surroundings(std::size_t cell, std::uint64_t blocks, std::vector<RankRange>& patch) const;
 
  private:
   /** \brief Consecutive points in the same block. Points follow a Morton curve, so runs are long. */

@@ -111,12 +111,14 @@ class DartThrower
   void place_given(std::size_t cell, const std::vector<std::uint32_t>& given)
   {
     std::vector<std::uint32_t> here;
-    schedule_.visit_points(cell, [&](const RankRange& range) {
-      for (auto g = std::lower_bound(given.begin(), given.end(), range.begin); g != given.end() && *g < range.end; ++g)
+    std::uint64_t blocks = 0;
+    schedule_.visit_points(cell, [&](const RankRange& range, std::uint64_t in_block) {
+      for (auto g = std::lower_bound(given.begin(), given.end(), range.begin); g != given.end() && *g < range.end;
+           ++g, blocks |= in_block)
         here.push_back(*g);
     });
     if (here.empty()) return;
-    enter(cell);
+    enter(cell, blocks);
     for (const std::uint32_t point : here) place_seed(point, grow(point));
     disk_.leave();
   }
@@ -128,12 +130,16 @@ class DartThrower
     const float covered = static_cast<float>(coverage) * radius_;
     const auto is_covered = [&](std::uint32_t point) { return nearest_[point].covered(covered); };
     darts_.clear();
-    schedule_.visit_points(cell, [&](const RankRange& range) {
-      for (std::uint32_t point = range.begin; point < range.end; ++point)
-        if (feature_rank_[point] >= least_rank && !is_covered(point)) darts_.add({turn_of(point), point});
+    std::uint64_t blocks = 0;
+    schedule_.visit_points(cell, [&](const RankRange& range, std::uint64_t in_block) {
+      for (std::uint32_t point = range.begin; point < range.end; ++point) {
+        if (feature_rank_[point] < least_rank || is_covered(point)) continue;
+        darts_.add({turn_of(point), point});
+        blocks |= in_block;
+      }
     });
     if (darts_.empty()) return;
-    enter(cell);
+    enter(cell, blocks);
     darts_.throw_all(is_covered, [this](std::uint32_t point) { throw_dart(point); });
     disk_.leave();
   }
@@ -141,10 +147,11 @@ class DartThrower
  private:
   using Disk = std::vector<GeodesicDisk::Reached>;
 
-  void enter(std::size_t cell)
+  /** \param blocks of the cell, those that seeds may be in */
+  void enter(std::size_t cell, std::uint64_t blocks)
   {
     patch_.clear();
-    schedule_.append_surroundings(cell, patch_);
+    schedule_.append_surroundings(cell, blocks, patch_);
     disk_.enter(patch_);
   }
 
