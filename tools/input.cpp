@@ -6,6 +6,7 @@
 #include "io/merge_points.h"
 #include "io/read_points.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pds
@@ -15,6 +16,14 @@ namespace
 {
 
 std::string stream_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
+
+/** Whether merging fills the field of a cloud that does not have it. */
+bool is_filled(const PointTable& cloud, const std::string& field)
+{
+  const bool is_viewpoint =
+      std::find(viewpoint_fields.begin(), viewpoint_fields.end(), field) != viewpoint_fields.end();
+  return field == scan_field || (is_viewpoint && cloud.sensor_origin);
+}
 
 /** What merging does to the fields of the clouds. */
 void warn_of_merge(const std::vector<std::string>& names,
@@ -26,7 +35,7 @@ void warn_of_merge(const std::vector<std::string>& names,
     for (const PointTable& other : clouds) {
       for (const Field& field : other.fields()) {
         const bool is_listed = (missing + ' ').find(' ' + field.name + ' ') != std::string::npos;
-        if (!clouds[i].find(field.name) && !is_listed && field.name != scan_field) {
+        if (!clouds[i].find(field.name) && !is_listed && !is_filled(clouds[i], field.name)) {
           missing += ' ' + field.name;
         }
       }

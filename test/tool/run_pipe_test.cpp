@@ -109,6 +109,9 @@ TEST_F(RunPipe, turns_each_scan_to_where_its_own_sensor_stood)
       ASSERT_GT(mesh.value(row, *mesh.find("nz")) * of_scan, 0.9);
     }
   }
+  write("c.ply", ply_sphere(200, "property float vp_x\nproperty float vp_y\nproperty float vp_z\n", " 5 6 7"));
+  ASSERT_EQ(run("a.pcd c.ply out.ply"), 0) << errors();
+  EXPECT_EQ(errors().find("has no"), std::string::npos) << "the first has a viewpoint: " << errors();
 }
 
 TEST_F(RunPipe, meshes_the_wanted_classes_of_a_las_file_and_keeps_its_coordinates_to_the_last_bit)
