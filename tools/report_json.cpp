@@ -63,7 +63,6 @@ std::string to_json(const Report& report)
                      {"outliers", report.outliers},
                      {"thinned_points", report.thinned_points},
                      {"smoothed", report.smoothed},
-                     {"refined_seeds", report.refined_seeds},
                      {"min_seed_distance", report.min_seed_distance},
                      {"coverage_radius", report.coverage_radius},
                      {"threads", report.threads},

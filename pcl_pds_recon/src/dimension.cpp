@@ -160,10 +160,9 @@ class Union
   {
     Report sum = surfaces_.report;
     const Report& curves = curves_.report;
-    for (const auto count :
-         {&Report::input_points, &Report::valid_points, &Report::merged_points, &Report::outliers,
-          &Report::thinned_points, &Report::seeds, &Report::refined_seeds, &Report::vertices, &Report::edges,
-          &Report::components, &Report::segments, &Report::curves, &Report::closed_curves})
+    for (const auto count : {&Report::input_points, &Report::valid_points, &Report::merged_points, &Report::outliers,
+                             &Report::thinned_points, &Report::seeds, &Report::vertices, &Report::edges,
+                             &Report::components, &Report::segments, &Report::curves, &Report::closed_curves})
       sum.*count += curves.*count;
     sum.euler += curves.euler;
     sum.smoothed = sum.smoothed || curves.smoothed;

@@ -28,7 +28,7 @@ TEST(ReportJson, has_the_promised_keys)
       "input_points valid_points k sampling_interval radius seeds vertices faces edges components segments "
       "curves closed_curves curve_radius boundary_loops "
       "nonmanifold_edges nonmanifold_vertices inconsistent_edges euler closed orientable filled_holes p99_distance "
-      "merged_points outliers thinned_points smoothed refined_seeds min_seed_distance coverage_radius threads seconds "
+      "merged_points outliers thinned_points smoothed min_seed_distance coverage_radius threads seconds "
       "peak_rss_bytes stage_peak_rss_bytes version ");
   EXPECT_EQ(keys(json["seconds"]),
             "load neighbors weights sampling voronoi seed_graph faces holes orientation placement save total ");

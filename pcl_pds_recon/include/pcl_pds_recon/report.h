@@ -45,19 +45,18 @@ struct Report
   /** Mean distance to the k neighbours, in input units (weighted if adaptive); with an absolute radius, of the points
    * that thinning left. */
   double sampling_interval = 0;
-  double radius = 0;                  ///< Poisson-disk radius in input units (where the weight is 1)
-  std::size_t seeds = 0;              ///< Poisson-disk samples, with or without a face
-  std::size_t refined_seeds = 0;      ///< of these, added closer than the radius to keep the topology (none at present)
-  std::size_t vertices = 0;           ///< of the mesh; all have a face or, on a curve, a segment
-  std::size_t faces = 0;              ///< triangles
-  std::size_t edges = 0;              ///< distinct edges, of faces and of curves
-  std::size_t components = 0;         ///< connected by edges
-  std::size_t segments = 0;           ///< of the edges, those of curves
-  std::size_t curves = 0;             ///< of the components, polylines
-  std::size_t closed_curves = 0;      ///< of these, without ends
-  double curve_radius = 0;            ///< Poisson-disk radius of the curves in input units; 0: none were looked for
-  std::size_t boundary_loops = 0;     ///< closed chains of edges with one face
-  std::size_t nonmanifold_edges = 0;  ///< edges of more than two faces (always 0)
+  double radius = 0;                     ///< Poisson-disk radius in input units (where the weight is 1)
+  std::size_t seeds = 0;                 ///< Poisson-disk samples, with or without a face
+  std::size_t vertices = 0;              ///< of the mesh; all have a face or, on a curve, a segment
+  std::size_t faces = 0;                 ///< triangles
+  std::size_t edges = 0;                 ///< distinct edges, of faces and of curves
+  std::size_t components = 0;            ///< connected by edges
+  std::size_t segments = 0;              ///< of the edges, those of curves
+  std::size_t curves = 0;                ///< of the components, polylines
+  std::size_t closed_curves = 0;         ///< of these, without ends
+  double curve_radius = 0;               ///< Poisson-disk radius of the curves in input units; 0: none were looked for
+  std::size_t boundary_loops = 0;        ///< closed chains of edges with one face
+  std::size_t nonmanifold_edges = 0;     ///< edges of more than two faces (always 0)
   std::size_t nonmanifold_vertices = 0;  ///< vertices of more than one fan (always 0)
   std::size_t inconsistent_edges = 0;    ///< edges run through twice in the same direction (always 0)
   long long euler = 0;                   ///< vertices - edges + faces
@@ -65,8 +64,8 @@ struct Report
   bool orientable = true;                ///< false: the surface is one-sided and was cut open
   double p99_distance = 0;       ///< 99 % of the points are that near to the mesh, in input units; 0: not measured
   std::size_t filled_holes = 0;  ///< polygons of more than three sides that were triangulated
-  /** Least distance of two seeds, refined ones aside, in radii, in the run's metric; disks are grown to 1.25 radii, so
-   * that is the largest value. */
+  /** Least distance of two seeds, in radii, in the run's metric; disks are grown to 1.25 radii, so that is the largest
+   * value. */
   double min_seed_distance = 0;
   double coverage_radius = 0;      ///< greatest distance of a point from its nearest seed, thinned ones aside, likewise
   unsigned threads = 0;            ///< worker threads used
