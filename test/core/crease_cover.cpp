@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace pds_test
@@ -46,6 +47,20 @@ Creases find_creases(const Triangles& triangles, const std::vector<Vector3d>& po
     creases.to.push_back(position[edge.second]);
   }
   return creases;
+}
+
+Creases find_rims(const Triangles& triangles, const std::vector<Vector3d>& position)
+{
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& t : triangles)
+    for (std::size_t side = 0; side < 3; ++side) edges.emplace(t[side], t[(side + 1) % 3]);
+  Creases rims;
+  for (const auto& [from, to] : edges) {
+    if (edges.count({to, from}) != 0) continue;
+    rims.from.push_back(position[from]);
+    rims.to.push_back(position[to]);
+  }
+  return rims;
 }
 
 double covered_share(const Creases& creases, const Creases& cover, double distance)

@@ -9,7 +9,7 @@
 namespace pds_test
 {
 
-/** \brief Straight pieces of creases. */
+/** \brief Straight pieces of creases or rims. */
 struct Creases
 {
   std::vector<Eigen::Vector3d> from, to;
@@ -19,6 +19,9 @@ struct Creases
 [[nodiscard]] Creases find_creases(const Triangles& triangles,
                                    const std::vector<Eigen::Vector3d>& position,
                                    double least_turn);
+
+/** \brief The edges of a mesh that have only one face. */
+[[nodiscard]] Creases find_rims(const Triangles& triangles, const std::vector<Eigen::Vector3d>& position);
 
 /** \brief Share of the length of some creases that is within a distance of others. O(pieces of both). */
 [[nodiscard]] double covered_share(const Creases& creases, const Creases& cover, double distance);

@@ -190,6 +190,19 @@ TEST(OpenShapes, APlaneFacesUpAndIsCovered)
   }
 }
 
+TEST(OpenShapes, APlaneEndsWhereItsPointsEnd)
+{
+  const Points points = plane(large_cloud);
+  const pds::Reconstruction mesh = reconstruct(points);
+  const Creases rim = find_rims(mesh.triangles, vertex_positions(mesh, points));
+  Creases sides;
+  sides.from = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  sides.to = {{1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}};
+  const double share = covered_share(sides, rim, mesh.report.radius / 4);
+  std::cout << share << " of the sides are within a quarter of a radius of the rim\n";
+  EXPECT_GE(share, 0.8);
+}
+
 TEST(OpenShapes, AMoebiusStripIsCutNotTorn)
 {
   for (const std::size_t count : {small_cloud, large_cloud})

@@ -52,15 +52,15 @@ class EdgeWeights
                                                const NeighborGraph& graph,
                                                const Parallel& parallel);
 
-/** \brief Points of this feature rank or a higher one are on sharp creases: they bend by 30 degrees or more. */
+/** \brief Points of this feature rank or a higher one are on rims, or on creases that bend by 30 degrees or more. */
 constexpr std::uint8_t crease_rank = 40;
 
-/** \brief How much each point deserves to be a seed, 0 ... 255. Vertices on ridges, creases and corners carry a mesh;
- * points between them are interpolated.
+/** \brief How much each point deserves to be a seed, 0 ... 255. Vertices on ridges, creases, corners and rims carry
+ * a mesh; points between them are interpolated.
  *
  * Flat points have a rank of 0 ... 15, in half means of the smoothed curvature. Where the surface bends within a
  * neighbourhood, the rank is higher by how far the point is above the mean of its neighbours: on a crease that is more
- * than beside it, and at a corner more than on a crease. O(n k). */
+ * than beside it, and at a corner more than on a crease; on a rim, by how far that mean is inwards. O(n k). */
 [[nodiscard]] std::vector<std::uint8_t> feature_ranks(const OrderedPoints& points,
                                                       const SurfaceEstimate& surface,
                                                       const NeighborGraph& graph,
