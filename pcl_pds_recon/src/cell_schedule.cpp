@@ -19,53 +19,50 @@ constexpr std::uint64_t place_mask = CellSchedule::blocks_per_cell - 1;
 static_assert(side * side * side == CellSchedule::blocks_per_cell, "numbers end in a block's place in its cell");
 
 using Step = std::array<int, axes>;  // to a cell beside, -1 ... 1 along each axis
-constexpr std::size_t steps = 27;
+constexpr int step_width = 3;
+constexpr int steps = step_width * step_width * step_width;
 
-constexpr Step step_of(std::size_t number)
+constexpr Step step_of(int number)
 {
-  const auto n = static_cast<int>(number);
-  return {n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1};
+  return {number / (step_width * step_width) - 1, number / step_width % step_width - 1, number % step_width - 1};
 }
 
-/** \brief Of the 64 blocks of the cell that lies a step away, a bit for each that touches the block at this place. */
-constexpr std::uint64_t touching_blocks(const Step& step, std::uint64_t place)
+/** \brief Coordinate of a block within its cell. */
+constexpr std::uint64_t along(std::size_t axis, std::uint64_t place)
 {
-  // Along each axis those of three blocks that are in that cell, as bits.
-  std::array<std::uint64_t, axes> along{};
-  for (std::size_t axis = 0; axis < axes; ++axis) {
-    const auto block = static_cast<int>(place >> ((axes - 1 - axis) * side_bits) & (side - 1));
-    for (int near = block - 1; near <= block + 1; ++near) {
-      const int there = near - step[axis] * static_cast<int>(side);
-      if (there >= 0 && there < static_cast<int>(side)) along[axis] |= std::uint64_t{1} << there;
-    }
+  return place >> ((axes - 1 - axis) * side_bits) & (side - 1);
+}
+
+/** \brief By axis, step and coordinate of a block along it: a bit for each of the 64 blocks of the cell that lies that
+ * step away whose coordinate differs by no more than one. */
+using NearAlong = std::array<std::array<std::array<std::uint64_t, side>, step_width>, axes>;
+
+constexpr NearAlong near_along_all()
+{
+  NearAlong near{};
+  for (std::size_t axis = 0; axis < axes; ++axis)
+    for (std::uint64_t step = 0; step < step_width; ++step)
+      for (std::uint64_t here = 0; here < side; ++here)
+        for (std::uint64_t place = 0; place <= place_mask; ++place) {
+          const std::uint64_t there = along(axis, place) + step * side;  // the cell itself is a step of one
+          if (there + 1 >= here + side && there <= here + side + 1) near[axis][step][here] |= std::uint64_t{1} << place;
+        }
+  return near;
+}
+
+constexpr NearAlong near_along = near_along_all();
+
+/** \brief Of the 64 blocks of the cell that lies a step away, a bit for each that touches one of these. */
+std::uint64_t touching_blocks(const Step& step, std::uint64_t blocks)
+{
+  std::uint64_t touching = 0;
+  for (std::uint64_t place = 0; blocks != 0; ++place, blocks >>= 1) {
+    if ((blocks & 1) == 0) continue;
+    std::uint64_t near = ~std::uint64_t{0};
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      near &= near_along[axis][static_cast<std::size_t>(step[axis] + 1)][along(axis, place)];
+    touching |= near;
   }
-  std::uint64_t touching = 0;
-  for (std::uint64_t other = 0; other <= place_mask; ++other)
-    if ((along[0] >> (other >> 2 * side_bits) & along[1] >> (other >> side_bits & (side - 1)) &
-         along[2] >> (other & (side - 1)) & 1) != 0)
-      touching |= std::uint64_t{1} << other;
-  return touching;
-}
-
-using TouchingBlocks = std::array<std::array<std::uint64_t, place_mask + 1>, steps>;
-
-constexpr TouchingBlocks all_touching_blocks()
-{
-  TouchingBlocks touching{};
-  for (std::size_t step = 0; step < steps; ++step)
-    for (std::uint64_t place = 0; place <= place_mask; ++place)
-      touching[step][place] = touching_blocks(step_of(step), place);
-  return touching;
-}
-
-constexpr TouchingBlocks touching_by_step_and_place = all_touching_blocks();
-
-/** \brief As touching_blocks(), for any of several blocks. */
-std::uint64_t touching_any(std::size_t step, std::uint64_t blocks)
-{
-  std::uint64_t touching = 0;
-  for (std::uint64_t place = 0; blocks != 0; ++place, blocks >>= 1)
-    if ((blocks & 1) != 0) touching |= touching_by_step_and_place[step][place];
   return touching;
 }
 
@@ -186,10 +183,11 @@ std::size_t CellSchedule::find(std::uint64_t key) const
 void CellSchedule::append_surroundings(std::size_t cell, std::uint64_t blocks, std::vector<RankRange>& patch) const
 {
   const CellKeys keys(axis_bits_);
-  for (std::size_t step = 0; step < steps; ++step) {
-    const std::uint64_t touching = touching_any(step, blocks);
+  for (int number = 0; number < steps; ++number) {
+    const Step step = step_of(number);
+    const std::uint64_t touching = touching_blocks(step, blocks);
     if (touching == 0) continue;
-    const std::size_t next = find(keys.next_to(cell_[cell], step_of(step)));
+    const std::size_t next = find(keys.next_to(cell_[cell], step));
     if (next == cell_.size()) continue;
     for (std::size_t r = run_begin_[next]; r < run_begin_[next + 1]; ++r) {
       const RankRange& points = runs_[r].points;
