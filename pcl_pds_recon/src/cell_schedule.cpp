@@ -59,8 +59,10 @@ std::uint64_t touching_blocks(const Step& step, std::uint64_t blocks)
   for (std::uint64_t place = 0; blocks != 0; ++place, blocks >>= 1) {
     if ((blocks & 1) == 0) continue;
     std::uint64_t near = ~std::uint64_t{0};
-    for (std::size_t axis = 0; axis < axes; ++axis)
-      near &= near_along[axis][static_cast<std::size_t>(step[axis] + 1)][along(axis, place)];
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const int step_number = step[axis] + 1;
+      near &= near_along[axis][static_cast<std::size_t>(step_number)][along(axis, place)];
+    }
     touching |= near;
   }
   return touching;
