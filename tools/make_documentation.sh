@@ -5,8 +5,9 @@
 #   tools/make_documentation.sh --measure BUILD_DIR   only the README's table of the Dragon; on an idle machine, for it has times
 #   tools/make_documentation.sh --check BUILD_DIR     only says what does not agree with the code; seconds
 # BUILD_DIR holds a complete build. The pictures of docs/viewer.md, the README's Dragon and its table need the Dragon,
-# which tools/demo.sh fetches; its terrain needs PDAL's autzen_trim_7.las in ../shared/data. docs/performance.md and
-# docs/quality.md compare with other programs, and name the commands of their own figures.
+# which tools/demo.sh fetches; its terrain needs PDAL's autzen_trim_7.las in ../shared/data. Figures and pictures of
+# docs/performance.md, docs/quality.md and docs/paper.md take other programs or an idle machine: bench/ makes them, by the
+# commands shown there.
 set -euo pipefail
 
 action=draw
