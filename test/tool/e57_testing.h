@@ -59,8 +59,9 @@ inline std::string e57_points(const std::vector<E57Column>& columns)
          bytes_of(std::uint64_t{0}) + packets;
 }
 
-/** \brief A scan with these fields, all in double precision. \param announced number of points, as the file says */
-inline std::string e57(const std::vector<E57Column>& columns, std::size_t announced)
+/** \brief The content of a file without checksums: a scan with these fields, all in double precision.
+ * \param announced number of points, as the file says */
+inline std::string e57_content(const std::vector<E57Column>& columns, std::size_t announced)
 {
   const std::string data = e57_points(columns);
   std::string prototype;
@@ -85,15 +86,26 @@ inline std::string e57(const std::vector<E57Column>& columns, std::size_t announ
                         bytes_of(std::uint64_t{pages * e57_page_bytes}) + bytes_of(e57_physical(xml_at)) +
                         bytes_of(std::uint64_t{xml.size()}) + bytes_of(std::uint64_t{e57_page_bytes}) + data + xml;
   logical.resize(pages * e57_page_content, '\0');
+  return logical;
+}
+
+/** \brief The file with this content, each page with its checksum. */
+inline std::string e57_file(const std::string& content)
+{
   std::string file;
-  for (std::size_t begin = 0; begin < logical.size(); begin += e57_page_content) {
+  for (std::size_t begin = 0; begin < content.size(); begin += e57_page_content) {
     boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> checksum;  // CRC-32C
-    checksum.process_bytes(logical.data() + begin, e57_page_content);
+    checksum.process_bytes(content.data() + begin, e57_page_content);
     std::string bytes = bytes_of(static_cast<std::uint32_t>(checksum.checksum()));
     std::reverse(bytes.begin(), bytes.end());
-    file += logical.substr(begin, e57_page_content) + bytes;
+    file += content.substr(begin, e57_page_content) + bytes;
   }
   return file;
+}
+
+inline std::string e57(const std::vector<E57Column>& columns, std::size_t announced)
+{
+  return e57_file(e57_content(columns, announced));
 }
 
 }  // namespace pds

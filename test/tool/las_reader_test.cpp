@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/las_reader.h"
 
-#include "io/laz_check.h"
 #include "io/record_reader.h"
 #include "las_testing.h"
 
@@ -207,46 +206,6 @@ TEST(LasReader, names_what_is_wrong)
   wide.add(las_record(1, 2, 3, 2));
   wide.set(247, ~std::uint64_t{0});
   EXPECT_NE(complaint_about(wide.bytes()).find("cut short"), std::string::npos);
-}
-
-/** The head of a LAZ file: a record of LASzip with the points per chunk, and a table that says how many chunks. */
-std::string laz_file(std::uint32_t points, std::uint32_t chunk_size, std::uint32_t chunks)
-{
-  LasFile header(2, 0x80, 20);
-  std::string record(54 + 34, '\0');
-  record.replace(2, 14, "laszip encoded");
-  const std::uint16_t id = 22204;
-  const std::uint16_t length = 34;
-  std::memcpy(record.data() + 18, &id, sizeof id);
-  std::memcpy(record.data() + 20, &length, sizeof length);
-  std::memcpy(record.data() + 54 + 12, &chunk_size, sizeof chunk_size);
-  const auto begin = static_cast<std::uint32_t>(header.bytes().size() + record.size());
-  header.set(96, begin);
-  header.set(100, std::uint32_t{1});
-  header.set(107, points);
-  return header.bytes() + record + bytes_of(std::int64_t{begin} + 8) + bytes_of(std::uint32_t{0}) + bytes_of(chunks);
-}
-
-TEST(LazCheck, does_not_believe_a_count_that_the_chunks_cannot_hold)
-{
-  const auto complaint_about_laz = [](const std::string& file) {
-    return complaint([&file] {
-      check_laz(ByteSource(file));
-      return PointTable({{"x"}, {"y"}, {"z"}});
-    });
-  };
-  EXPECT_EQ(complaint_about_laz(laz_file(150000, 50000, 3)), "");
-  EXPECT_EQ(complaint_about_laz(laz_file(150000, 0xFFFFFFFF, 1)), "") << "the table counts chunks of any size";
-  EXPECT_NE(complaint_about_laz(laz_file(150001, 50000, 3)).find("cut short"), std::string::npos);
-  const std::string good = laz_file(1, 50000, 1);
-  for (const std::size_t size : {good.size() - 1, good.size() - 9, std::size_t{260}, std::size_t{230}}) {
-    EXPECT_NE(complaint_about_laz(good.substr(0, size)).find("cut short"), std::string::npos) << size;
-  }
-  LasFile plain(2, 0, 20);
-  plain.add(las_record(1, 2, 3, 2));
-  EXPECT_NE(complaint_about_laz(plain.bytes()).find("not compressed"), std::string::npos);
-  LasFile without_record(2, 0x80, 20);
-  EXPECT_NE(complaint_about_laz(without_record.bytes()).find("no LASzip record"), std::string::npos);
 }
 
 }  // namespace

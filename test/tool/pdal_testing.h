@@ -8,8 +8,12 @@
 namespace pds
 {
 
-/** \brief Lets PDAL convert a LAS file with all that the format can hold. \return the number of points */
-inline std::size_t write_with_pdal(const std::string& las, const std::string& output, const std::string& driver)
+/** \brief Lets PDAL convert a LAS file with all that the format can hold. \param reference_system of the coordinates
+ * \return the number of points */
+inline std::size_t write_with_pdal(const std::string& las,
+                                   const std::string& output,
+                                   const std::string& driver,
+                                   const std::string& reference_system = "")
 {
   pdal::PipelineManager pipeline;
   pipeline.setLog(pdal::Log::makeLog("", "devnull"));
@@ -29,6 +33,9 @@ inline std::size_t write_with_pdal(const std::string& las, const std::string& ou
   if (driver == "writers.las") {
     options.add("compression", true);
     options.add("extra_dims", "all");
+  }
+  if (!reference_system.empty()) {
+    options.add("a_srs", reference_system);
   }
   pipeline.makeWriter(output, driver, reader, options);
   return static_cast<std::size_t>(pipeline.execute());

@@ -24,8 +24,7 @@ constexpr std::size_t description_bytes = 192;
 /** The content of the variable-length record that describes the extra bytes; empty if there is none. */
 std::string find_descriptions(const ByteSource& source, const LasHeader& header)
 {
-  constexpr std::uint16_t extra_bytes_record = 4;
-  const std::optional<LasRecord> record = find_las_record(source, header, "LASF_Spec", extra_bytes_record);
+  const std::optional<LasRecord> record = find_las_record(source, header, las_user, extra_bytes_record_id);
   std::string content(record ? record->bytes : 0, '\0');
   if (record) {
     source.read(record->begin, content.data(), content.size());

@@ -22,18 +22,14 @@ static_assert(boost::endian::order::native == boost::endian::order::little, "LAS
 // ASPRS LAS 1.4 R15, table 3: places in the public header block.
 constexpr std::size_t minor_version_at = 25;
 constexpr std::size_t header_bytes_at = 94;
-constexpr std::size_t begin_at = 96;
-constexpr std::size_t record_count_at = 100;
 constexpr std::size_t point_format_at = 104;
 constexpr std::size_t record_bytes_at = 105;
 constexpr std::size_t legacy_count_at = 107;
 constexpr std::size_t scale_at = 131;
 constexpr std::size_t offset_at = 155;
-constexpr std::size_t header_bytes = 227;              // of versions 1.0 to 1.2
-constexpr std::size_t extended_records_at = 235;       // from version 1.4 on
-constexpr std::size_t extended_record_count_at = 243;  // from version 1.4 on
-constexpr std::size_t count_at = 247;                  // from version 1.4 on
-constexpr std::size_t header_bytes_1_4 = 375;
+constexpr std::size_t header_bytes = 227;         // of versions 1.0 to 1.2
+constexpr std::size_t extended_records_at = 235;  // from version 1.4 on
+constexpr std::size_t count_at = 247;             // from version 1.4 on
 
 constexpr std::array<std::size_t, 11> standard_bytes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};  // by format
 
@@ -65,7 +61,8 @@ std::uint64_t parse_count(const std::string& header)
   if (number_at<std::uint8_t>(header.data() + minor_version_at) < 4) {
     return legacy_count;
   }
-  if (header.size() < header_bytes_1_4) {
+  if (number_at<std::uint16_t>(header.data() + header_bytes_at) < las_header_bytes_1_4 ||
+      header.size() < las_header_bytes_1_4) {
     throw_damaged("too few bytes for version 1.4");
   }
   return number_at<std::uint64_t>(header.data() + count_at);
@@ -74,7 +71,7 @@ std::uint64_t parse_count(const std::string& header)
 std::size_t parse_end(const std::string& header, std::size_t file_bytes)
 {
   const bool has_extended_records = number_at<std::uint8_t>(header.data() + minor_version_at) >= 4 &&
-                                    number_at<std::uint32_t>(header.data() + extended_record_count_at) > 0;
+                                    number_at<std::uint32_t>(header.data() + las_extended_record_count_at) > 0;
   return has_extended_records
              ? std::min<std::uint64_t>(file_bytes, number_at<std::uint64_t>(header.data() + extended_records_at))
              : file_bytes;
@@ -100,7 +97,7 @@ std::size_t las_standard_bytes(std::size_t point_format) { return standard_bytes
 
 LasHeader read_las_header(const ByteSource& source, LasCompression compression)
 {
-  const std::string bytes = source.head(header_bytes_1_4);
+  const std::string bytes = source.head(las_header_bytes_1_4);
   if (bytes.compare(0, 4, "LASF") != 0) {
     throw InvalidInput("is not a LAS file, which starts with 'LASF'; check the file's extension");
   }
@@ -110,9 +107,9 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   LasHeader header;
   header.point_format = parse_point_format(number_at<std::uint8_t>(bytes.data() + point_format_at), compression);
   header.header_bytes = number_at<std::uint16_t>(bytes.data() + header_bytes_at);
-  header.record_count = number_at<std::uint32_t>(bytes.data() + record_count_at);
+  header.record_count = number_at<std::uint32_t>(bytes.data() + las_record_count_at);
   header.record_bytes = number_at<std::uint16_t>(bytes.data() + record_bytes_at);
-  header.begin = number_at<std::uint32_t>(bytes.data() + begin_at);
+  header.begin = number_at<std::uint32_t>(bytes.data() + las_begin_at);
   header.count = parse_count(bytes);
   header.end = parse_end(bytes, source.size());
   header.scale = number_at<std::array<double, 3>>(bytes.data() + scale_at);
@@ -120,10 +117,13 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   if (header.record_bytes < las_standard_bytes(header.point_format)) {
     throw_damaged("records shorter than their point format");
   }
+  if (header.header_bytes < header_bytes) {
+    throw_damaged("a length below that of any version");
+  }
   if (!has_sensible_range(header)) {
     throw_damaged("an impossible scale or offset");
   }
-  if (header.begin < header_bytes) {
+  if (header.begin < std::max(header.header_bytes, header_bytes)) {
     throw_damaged("points inside the header");
   }
   const std::size_t record_bytes = compression == LasCompression::none ? header.record_bytes : 0;

@@ -10,6 +10,12 @@
 namespace pds
 {
 
+// ASPRS LAS 1.4 R15, table 3: places in the public header block that also a copy of a file needs.
+inline constexpr std::size_t las_begin_at = 96;
+inline constexpr std::size_t las_record_count_at = 100;
+inline constexpr std::size_t las_extended_record_count_at = 243;  ///< from version 1.4 on
+inline constexpr std::size_t las_header_bytes_1_4 = 375;
+
 /** \brief How the point records are stored. */
 enum class LasCompression
 {

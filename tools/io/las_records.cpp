@@ -17,20 +17,19 @@ std::optional<LasRecord> find_las_record(const ByteSource& source,
                                          std::string_view user,
                                          std::uint16_t id)
 {
-  constexpr std::size_t head_bytes = 54;
   constexpr std::size_t user_at = 2;
   constexpr std::size_t user_bytes = 16;
   constexpr std::size_t id_at = 18;
   constexpr std::size_t length_at = 20;
   std::size_t place = header.header_bytes;
   for (std::uint32_t i = 0; i < header.record_count; ++i) {
-    std::array<char, head_bytes> head{};
-    if (place + head_bytes > header.begin) {
+    std::array<char, las_record_head_bytes> head{};
+    if (place + las_record_head_bytes > header.begin) {
       throw InvalidInput(
           "has a LAS header with records that reach into the points: the file is damaged; copy it again");
     }
-    source.read(place, head.data(), head_bytes);
-    place += head_bytes;
+    source.read(place, head.data(), las_record_head_bytes);
+    place += las_record_head_bytes;
     const std::size_t length = number_at<std::uint16_t>(&head[length_at]);
     const std::string_view found_user(&head[user_at], strnlen(&head[user_at], user_bytes));
     if (number_at<std::uint16_t>(&head[id_at]) == id && found_user == user) {

@@ -9,6 +9,10 @@
 namespace pds
 {
 
+inline constexpr std::size_t las_record_head_bytes = 54;  ///< before the content of a variable-length record
+inline constexpr const char* las_user = "LASF_Spec";      ///< who has defined the records of the standard itself
+inline constexpr std::uint16_t extra_bytes_record_id = 4;
+
 /** \brief Where the content of a variable-length record lies in a LAS file. */
 struct LasRecord
 {

@@ -2,14 +2,26 @@
 #pragma once
 
 #include "io/byte_source.h"
+#include "io/las_header.h"
 
 namespace pds
 {
 
-/** \brief Checks a LAZ file before PDAL reads it: PDAL takes the header's word for the number of points and reads
- * beyond the last one if that is wrong. \throws InvalidInput if it is not a LAZ file, is cut short, or its header
- * announces more points than its chunks hold
+/** \brief Where a LAZ file has what is needed to unpack its points. */
+struct LazParts
+{
+  LasHeader header;
+  std::size_t table_at = 0;          ///< of the table of chunks, which begins where the last chunk ends
+  bool has_data_after_last = false;  ///< whether more points lie there than the header announces
+};
+
+/** \brief Checks what a LAZ file says about itself before PDAL takes its word for it: a number of points, a length of
+ * records or a size of chunks that is wrong makes PDAL invent points or crash.
+ *
+ * In the point formats from 6 on each chunk says how many points it holds, so that their number is certain; for the
+ * others LazCopy lets whoever takes too many run against the end of the file.
+ * \throws InvalidInput if it is not a LAZ file, is cut short, or its header, LASzip record and chunks do not agree
  */
-void check_laz(const ByteSource& source);
+LazParts check_laz(const ByteSource& source);
 
 }  // namespace pds

@@ -5,11 +5,14 @@
 
 #include <pdal/PipelineManager.hpp>
 #include <pdal/PointView.hpp>
-#include <pdal/StageFactory.hpp>
+#include <pdal/Stage.hpp>
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cstddef>
+#include <cstring>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -61,21 +64,46 @@ std::string field_name(const std::string& name)
   return snake_case(name);
 }
 
-/** All but the mark of points without coordinates. */
-std::vector<pdal::Dimension::Id> dimensions(const pdal::PointLayout& layout)
+/** A dimension, or some bits of it. */
+struct Column
 {
-  std::vector<pdal::Dimension::Id> all = layout.dims();
-  all.erase(std::remove(all.begin(), all.end(), pdal::Dimension::Id::Omit), all.end());
-  return all;
+  Field field;
+  pdal::Dimension::Id dimension;
+  unsigned shift = 0;
+  int mask = 0;  ///< 0: all of it
+};
+
+/** The flags of a point have fields of their own, as in read_las; PDAL before 2.6 leaves them in one byte. */
+void add_flags(std::vector<Column>& columns, pdal::Dimension::Id dimension, unsigned shift, std::size_t count)
+{
+  constexpr std::array<const char*, 4> names = {"synthetic", "key_point", "withheld", "overlap"};
+  for (std::size_t i = 0; i < count; ++i) {
+    columns.push_back({{names.at(i), ScalarType::uint8}, dimension, shift + static_cast<unsigned>(i), 1});
+  }
 }
 
-PointTable make_table(const pdal::PointLayout& layout, std::size_t size)
+/** All but the mark of points without coordinates. */
+std::vector<Column> make_columns(const pdal::PointLayout& layout, bool is_las)
 {
-  std::vector<Field> fields;
-  for (const pdal::Dimension::Id dimension : dimensions(layout)) {
-    fields.push_back({field_name(layout.dimName(dimension)), scalar_type(layout.dimType(dimension))});
+  using pdal::Dimension::Id;
+  const bool is_legacy = is_las && !layout.hasDim(Id::ScanChannel);  // point formats 0 to 5
+  std::vector<Column> columns;
+  for (const Id dimension : layout.dims()) {
+    const std::string name = layout.dimName(dimension);
+    const Column column = {{field_name(name), scalar_type(layout.dimType(dimension))}, dimension};
+    if (name == "ClassFlags") {
+      add_flags(columns, dimension, 0, 4);
+    } else if (is_legacy && dimension == Id::Classification && layout.findDim("Synthetic") == Id::Unknown) {
+      constexpr unsigned class_bits = 5;
+      columns.push_back({column.field, dimension, 0, (1 << class_bits) - 1});
+      add_flags(columns, dimension, class_bits, 3);
+    } else if (is_legacy && dimension == Id::ScanAngleRank) {
+      columns.push_back({{column.field.name, ScalarType::int8}, dimension});
+    } else if (dimension != Id::Omit) {
+      columns.push_back(column);
+    }
   }
-  return PointTable(std::move(fields), size);
+  return columns;
 }
 
 using PointIds = std::vector<pdal::PointId>;
@@ -93,33 +121,51 @@ PointIds find_points_with_coordinates(const pdal::PointView& view)
   return found;
 }
 
-void copy_points(const pdal::PointView& view, const PointIds& ids, PointTable& table, std::size_t first)
+void copy_scalars(
+    const pdal::PointView& view, const pdal::PointId* ids, std::size_t count, const Column& column, PointTable& block)
 {
-  const pdal::PointLayout& layout = *view.layout();
-  for (const pdal::Dimension::Id dimension : dimensions(layout)) {
-    const Field& field = *table.find(field_name(layout.dimName(dimension)));
-    visit_scalar(field.type, [&](auto zero) {
-      for (std::size_t i = 0; i < ids.size(); ++i) {
-        const auto scalar = view.getFieldAs<decltype(zero)>(dimension, ids[i]);
-        std::memcpy(table.record(first + i) + field.offset, &scalar, sizeof scalar);
+  const std::size_t offset = block.find(column.field.name)->offset;
+  visit_scalar(column.field.type, [&](auto zero) {
+    for (std::size_t i = 0; i < count; ++i) {
+      auto scalar = view.getFieldAs<decltype(zero)>(column.dimension, ids[i]);
+      if (column.mask != 0) {
+        scalar = static_cast<decltype(zero)>(static_cast<int>(scalar) >> column.shift & column.mask);
       }
-    });
+      std::memcpy(block.record(i) + offset, &scalar, sizeof scalar);
+    }
+  });
+}
+
+void hand_over(const pdal::PointView& view,
+               const PointIds& ids,
+               const std::vector<Column>& columns,
+               PointTable& block,
+               PointSink& sink)
+{
+  for (std::size_t begin = 0; begin < ids.size(); begin += block.size()) {
+    const std::size_t count = std::min(block.size(), ids.size() - begin);
+    for (const Column& column : columns) {
+      copy_scalars(view, &ids[begin], count, column, block);
+    }
+    sink.add(block, count);
   }
 }
 
-std::string in_one_line(std::string text)
+/** In one line, and without the name of the file, which the caller puts before it. */
+std::string shorten(std::string text, const std::string& path)
 {
+  boost::replace_all(text, path, "the file");
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
 
-PointTable read(const std::string& path)
+void read(const std::string& path, const std::string& driver, PointSink& sink)
 {
   pdal::PipelineManager pipeline;
   pipeline.setLog(pdal::Log::makeLog("", "devnull"));  // what goes wrong is reported by the caller, in one line
-  const std::string driver = pdal::StageFactory::inferReaderDriver(path);
+  const bool is_las = driver == "readers.las";
   pdal::Options options;
-  if (driver == "readers.las") {
+  if (is_las) {
     options.add("use_eb_vlr", true);  // extra bytes before version 1.4 as well
   }
   const std::size_t announced = pipeline.makeReader(path, driver, options).preview().m_pointCount;
@@ -136,26 +182,33 @@ PointTable read(const std::string& path)
   if (size < announced) {  // of which PDAL says nothing
     throw std::runtime_error("it holds " + std::to_string(size) + " of " + std::to_string(announced) + " points");
   }
-  PointTable table = make_table(*pipeline.pointTable().layout(), found);
-  std::size_t first = 0;
+  const std::vector<Column> columns = make_columns(*pipeline.pointTable().layout(), is_las);
+  std::vector<Field> fields;
+  fields.reserve(columns.size());
+  for (const Column& column : columns) {
+    fields.push_back(column.field);
+  }
+  constexpr std::size_t block_rows = std::size_t{1} << 13;  // which stay in the cache
+  PointTable block(fields, block_rows);
+  sink.start(fields, found, found < size ? std::to_string(size - found) + " points without coordinates" : "");
   for (const auto& [view, ids] : parts) {
-    copy_points(*view, ids, table, first);
-    first += ids.size();
+    hand_over(*view, ids, columns, block, sink);
   }
-  if (found < size) {
-    table.not_read = std::to_string(size - found) + " points without coordinates";
-  }
-  return table;
 }
 
 }  // namespace
 
-void pcl_pds_recon_read_with_pdal(const std::string& path, std::optional<PointTable>& table, std::string& complaint)
+void pcl_pds_recon_read_with_pdal(const std::string& path,
+                                  const std::string& driver,
+                                  PointSink& sink,
+                                  std::string& complaint)
 {
   try {
-    table = read(path);
+    read(path, driver, sink);
+  } catch (const std::bad_alloc&) {
+    complaint = "PDAL asks for more memory than there is; the file is damaged, or too large for this machine";
   } catch (const std::exception& error) {
-    complaint = "PDAL cannot read it (" + in_one_line(error.what()) + "); copy it again or write it anew";
+    complaint = "PDAL cannot read it (" + shorten(error.what(), path) + "); copy it again or write it anew";
   }
 }
 

@@ -5,7 +5,6 @@
 #include "io/byte_source.h"
 #include "io/file_extension.h"
 #include "io/las_reader.h"
-#include "io/laz_check.h"
 #include "io/obj_reader.h"
 #include "io/pcd_reader.h"
 #include "io/ply_reader.h"
@@ -15,6 +14,8 @@
 
 #ifdef PCL_PDS_RECON_WITH_PDAL
 #include "io/pdal_reader.h"
+#else
+#include "io/laz_check.h"
 #endif
 
 namespace pds
@@ -35,14 +36,20 @@ PointTable read_standard_input(const Parallel& parallel)
   return source.head(3) == "ply" ? read_ply(source, parallel) : read_pcd(source, parallel);
 }
 
-PointTable read_with_pdal_if_built([[maybe_unused]] const std::string& path)
+#ifndef PCL_PDS_RECON_WITH_PDAL
+[[noreturn]] void throw_without_pdal()
 {
-#ifdef PCL_PDS_RECON_WITH_PDAL
-  return read_with_pdal(path);
-#else
   throw InvalidInput("cannot be read in this build without PDAL; convert it to .las or .ply");
-#endif
 }
+
+PointTable read_laz(const std::string& path)
+{
+  check_laz(ByteSource::from_file(path));
+  throw_without_pdal();
+}
+
+PointTable read_e57(const std::string& /*path*/) { throw_without_pdal(); }
+#endif
 
 PointTable read_by_extension(const std::string& path, const Parallel& parallel)
 {
@@ -60,12 +67,11 @@ PointTable read_by_extension(const std::string& path, const Parallel& parallel)
     return read_las(ByteSource::from_file(path), parallel);
   }
   if (extension == ".laz") {
-    check_laz(ByteSource::from_file(path));
-    return read_with_pdal_if_built(path);
+    return read_laz(path);
   }
   if (extension == ".e57") {
     static_cast<void>(ByteSource::from_file(path));  // says in our words if there is no such file
-    return read_with_pdal_if_built(path);
+    return read_e57(path);
   }
   if (extension == ".obj") {
     return read_text_format(path, read_obj);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Damaged files of the formats that PDAL reads. PDAL may crash; the program may not, nor take points for real that are
+// not in the file.
+#include "e57_testing.h"
+#include "io/read_points.h"
+#include "pdal_testing.h"
+#include "run_testing.h"
+#include "utm_cloud.h"
+
+#include <numeric>
+#include <random>
+
+namespace pds
+{
+namespace
+{
+
+using Names = std::vector<std::string>;
+
+constexpr std::size_t las_1_2_count_at = 107;  // ASPRS LAS 1.2, number of points
+constexpr std::size_t las_1_4_count_at = 247;  // ASPRS LAS 1.4, the same
+constexpr std::size_t record_bytes_at = 105;   // ASPRS LAS 1.2 and 1.4
+
+template <typename Number>
+std::string with_number(std::string bytes, std::size_t place, Number number)
+{
+  return bytes.replace(place, sizeof number, bytes_of(number));
+}
+
+class PdalDamage : public RunTool
+{
+ protected:
+  PdalDamage() { write("utm.las", utm_las()); }
+
+  /** \return the bytes of the cloud in the format that \a driver writes */
+  std::string make(const std::string& name, const char* driver, const char* reference_system = "")
+  {
+    EXPECT_EQ(write_with_pdal(path("utm.las"), path(name), driver, reference_system), utm_points);
+    std::string bytes = read(name);
+    std::filesystem::remove(path(name));
+    return bytes;
+  }
+
+  void expect_complaint(const std::string& name, const std::string& bytes, const std::string& part)
+  {
+    write(name, bytes);
+    EXPECT_EQ(run("-q " + name + " out.ply"), 1) << part;
+    EXPECT_TRUE(complained_of(name + ": ")) << part;
+    EXPECT_TRUE(complained_of(part));
+    EXPECT_EQ(files(), (Names{name, "utm.las"}));
+    std::filesystem::remove(path(name));
+  }
+
+  /** Puts a random byte into each of these places, one after the other: the file is read or complained of in one line.
+   * \param save makes the file of its content */
+  void flip_bytes(const std::string& name,
+                  const std::string& content,
+                  const std::vector<std::size_t>& places,
+                  const std::function<std::string(const std::string&)>& save)
+  {
+    constexpr std::size_t every = 20;  // of these places the program is run, which takes longer than reading
+    std::mt19937 random(1);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::string damaged = content;
+      damaged[places[i]] = static_cast<char>(random());
+      write(name, save(damaged));
+      const std::string text = complaint([&] { return read_points(path(name), Parallel(1)); });
+      EXPECT_EQ(text.find('\n'), std::string::npos) << places[i] << ": " << text;
+      if (i % every == 0) {
+        const int status = run("-q " + name + " out.ply");
+        EXPECT_TRUE(status == 0 || (status == 1 && complained_of(name + ": ")))
+            << "place " << places[i] << ", status " << status << ", " << errors();
+      }
+    }
+  }
+};
+
+std::vector<std::size_t> range(std::size_t begin, std::size_t end)
+{
+  std::vector<std::size_t> places(end - begin);
+  std::iota(places.begin(), places.end(), begin);
+  return places;
+}
+
+std::string as_it_is(const std::string& bytes) { return bytes; }
+
+TEST_F(PdalDamage, never_ends_the_program_whichever_byte_of_a_laz_header_is_wrong)
+{
+  flip_bytes("cloud.laz", make("cloud.laz", "writers.las"), range(0, 400), as_it_is);
+}
+
+TEST_F(PdalDamage, never_ends_the_program_whichever_byte_of_a_copc_header_is_wrong)
+{
+  flip_bytes("cloud.copc.laz", make("cloud.copc.laz", "writers.copc"), range(0, 700), as_it_is);
+}
+
+TEST_F(PdalDamage, never_ends_the_program_whichever_byte_of_an_e57_header_or_description_is_wrong)
+{
+  const std::vector<double> values = {0, 1, 2, 3, 5, 8};
+  const std::string content = e57_content({{"cartesianX", values}, {"cartesianY", values}, {"cartesianZ", values}}, 6);
+  flip_bytes("cloud.e57", content, range(0, std::min(content.find_last_of('>'), std::size_t{1200})), e57_file);
+}
+
+TEST_F(PdalDamage, of_packed_points_does_not_end_the_program)
+{
+  for (const auto& [name, driver] :
+       {std::pair("cloud.laz", "writers.las"), std::pair("cloud.copc.laz", "writers.copc")}) {
+    const std::string good = make(name, driver);
+    std::vector<std::size_t> places = range(good.size() / 2, good.size() / 2 + 100);
+    flip_bytes(name, good, places, as_it_is);
+  }
+}
+
+TEST_F(PdalDamage, does_not_make_up_a_point_that_only_the_header_announces)
+{
+  constexpr auto one_more = static_cast<std::uint32_t>(utm_points + 1);
+  const std::string laz = make("cloud.laz", "writers.las");
+  expect_complaint("cloud.laz", with_number(laz, las_1_2_count_at, one_more), "end of file");
+  const std::string copc = make("cloud.copc.laz", "writers.copc");
+  expect_complaint("cloud.copc.laz", with_number(copc, las_1_4_count_at, std::uint64_t{one_more}), "cut short");
+}
+
+TEST_F(PdalDamage, of_the_length_of_records_is_complained_of)
+{
+  for (const std::uint16_t length : std::initializer_list<std::uint16_t>{21, 31, 36, 40, 100, 500}) {
+    expect_complaint("cloud.laz", with_number(make("cloud.laz", "writers.las"), record_bytes_at, length),
+                     "LASzip record");
+  }
+  for (const std::uint16_t length : std::initializer_list<std::uint16_t>{31, 36, 40, 100, 500}) {
+    expect_complaint("cloud.copc.laz", with_number(make("cloud.copc.laz", "writers.copc"), record_bytes_at, length),
+                     "damaged; copy it again");
+  }
+}
+
+TEST_F(PdalDamage, reads_the_first_points_of_copc_and_says_that_there_are_more)
+{
+  const std::string copc = make("cloud.copc.laz", "writers.copc");
+  write("cloud.copc.laz", with_number(copc, las_1_4_count_at, std::uint64_t{utm_points - 1}));
+  ASSERT_EQ(run("--report r.json cloud.copc.laz out.ply"), 0) << errors();
+  EXPECT_NE(errors().find("data after the last point that the header announces are left out"), std::string::npos)
+      << errors();
+  EXPECT_NE(read("r.json").find("\"input_points\": 2999,"), std::string::npos);
+}
+
+TEST_F(PdalDamage, of_the_reference_system_does_not_matter)
+{
+  const std::string good = make("cloud.laz", "writers.las", "EPSG:32633");
+  std::string damaged = good;
+  const std::size_t user = good.find("LASF_Projection");
+  ASSERT_NE(user, std::string::npos);
+  const std::size_t content = user + 52;  // of the first record about it
+  damaged.replace(content, 8, "\xff\xff\xff\x7f\xff\xff\xff\x7f");
+  write("good.laz", good);
+  write("damaged.laz", damaged);
+  ASSERT_EQ(run("-q good.laz good.ply"), 0) << errors();
+  ASSERT_EQ(run("-q damaged.laz damaged.ply"), 0) << errors();
+  EXPECT_EQ(read("damaged.ply"), read("good.ply"));
+}
+
+}  // namespace
+}  // namespace pds
