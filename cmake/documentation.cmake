@@ -6,13 +6,15 @@ mark_as_advanced(HELP2MAN GZIP)
 
 set(manual_pages "")
 function(pds_add_manual_page target program what_it_does)
+  set(others ${manual_page_programs})
+  list(REMOVE_ITEM others ${program})
   set(page "${PROJECT_BINARY_DIR}/man/${program}.1")
   add_custom_command(
     OUTPUT "${page}" "${page}.gz"
     COMMAND "${PROJECT_SOURCE_DIR}/docs/man/make_man_page.sh" "$<TARGET_FILE:${target}>" "${what_it_does}"
-            "${PROJECT_SOURCE_DIR}/docs/man/see_also.h2m" "${page}"
+            "${page}" ${others}
     COMMAND "${GZIP}" -9 --no-name --force --keep "${page}"
-    DEPENDS ${target} "${PROJECT_SOURCE_DIR}/docs/man/make_man_page.sh" "${PROJECT_SOURCE_DIR}/docs/man/see_also.h2m"
+    DEPENDS ${target} "${PROJECT_SOURCE_DIR}/docs/man/make_man_page.sh"
     COMMENT "Manual page of ${program}"
     VERBATIM)
   set(manual_pages ${manual_pages} "${page}.gz" PARENT_SCOPE)
@@ -21,6 +23,12 @@ endfunction()
 if(TARGET pcl_pds_recon_tool)
   if(HELP2MAN AND GZIP AND NOT CMAKE_CROSSCOMPILING)
     file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/man")
+    set(manual_page_programs pcl_pds_recon)
+    foreach(program pcl_pds_compare pcl_pds_viewer)
+      if(TARGET ${program})
+        list(APPEND manual_page_programs ${program})
+      endif()
+    endforeach()
     pds_add_manual_page(pcl_pds_recon_tool pcl_pds_recon "turn a point cloud into a manifold triangle mesh")
     if(TARGET pcl_pds_compare)
       pds_add_manual_page(pcl_pds_compare pcl_pds_compare "measure how far a mesh is from a scan or another mesh")

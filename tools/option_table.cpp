@@ -126,15 +126,12 @@ OptionRow choice(std::string name, const std::string& words, std::string help, C
 OptionRow classes_option()
 {
   const auto set = [](CommandLine& command_line, const std::string& text) {
-    std::vector<std::string_view> words;
-    split(text, ",", words);
+    std::vector<std::string> words;
+    boost::algorithm::split(words, text, boost::algorithm::is_any_of(","));
     command_line.classes.clear();
-    for (const std::string_view word : words) {
-      if (!parse_number(word, command_line.classes.emplace_back())) {
-        return false;
-      }
-    }
-    return !words.empty();
+    return std::all_of(words.begin(), words.end(), [&command_line](const std::string& word) {
+      return parse_number(word, command_line.classes.emplace_back());
+    });
   };
   const auto get = [](const CommandLine& command_line) {
     std::string text;

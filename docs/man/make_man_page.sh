@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Makes the manual page of a program from its --help.
-#   make_man_page.sh PROGRAM WHAT_IT_DOES SEE_ALSO.h2m PAGE.1
+#   make_man_page.sh PROGRAM WHAT_IT_DOES PAGE.1 OTHER_PROGRAM...
 set -eu
-program=$1 name=$(basename "$1")
+program=$1 name=$(basename "$1") what=$2 page=$3
+shift 3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -20,5 +21,11 @@ cat "$(dirname "$0")/${1#--}"
 END
 chmod +x "$work/$name"
 
-help2man --no-info --name "$2" --include "$3" "$work/$name" >"$4.part"
-mv "$4.part" "$4"
+{ [ $# -eq 0 ] || echo "[see also]"; } >"$work/see_also"
+while [ $# -gt 0 ]; do
+  echo ".BR $1 (1)$([ $# -eq 1 ] || echo ,)" >>"$work/see_also"
+  shift
+done
+
+help2man --no-info --name "$what" --include "$work/see_also" "$work/$name" >"$page.part"
+mv "$page.part" "$page"

@@ -10,6 +10,9 @@ namespace pds_test
 namespace
 {
 
+/** \brief The sampling interval in the unit of the input. */
+double interval_of(const Stages& stages) { return stages.graph.sampling_interval * stages.points.unit; }
+
 /** \brief Covariance of a point and its own neighbours over the square of its reach. */
 Eigen::Matrix3d covariance(const Stages& stages, std::size_t i)
 {
@@ -92,7 +95,7 @@ TEST(SurfaceEstimate, TellsTheInsideFromTheRim)
   while (square.size() < 20000) square.emplace_back(random.uniform(), random.uniform(), 0);
   const Stages stages(square);
   const pds::SurfaceEstimate surface = pds::estimate_surface(stages.points, stages.graph, stages.parallel);
-  const double interval = stages.graph.sampling_interval * stages.points.unit;
+  const double interval = interval_of(stages);
   std::size_t inner = 0, inner_inside = 0, rim = 0, rim_inside = 0;
   for (std::size_t i = 0; i < stages.points.size(); ++i) {
     const Eigen::Vector3d& p = square[stages.points.input_index[i]];
@@ -139,13 +142,16 @@ TEST(SurfaceEstimate, IsTheSameForEveryInstructionSet)
 
 constexpr double chance_rims = 0.003;  // share of the points inside at which chance leaves gaps that look like rims
 
+std::vector<std::uint8_t> feature_ranks(const Stages& stages)
+{
+  return pds::feature_ranks(stages.points, stages.surface, stages.graph, stages.parallel);
+}
+
 TEST(FeatureRanks, RiseTowardsEdgesAndCorners)
 {
   const Points points = cube(50000);
   const Stages stages(points);
-  const std::vector<std::uint8_t> ranks =
-      pds::feature_ranks(stages.points, stages.surface, stages.graph, stages.parallel);
-  const double interval = stages.graph.sampling_interval * stages.points.unit;
+  const std::vector<std::uint8_t> ranks = feature_ranks(stages);
   enum Place
   {
     flat,
@@ -159,7 +165,7 @@ TEST(FeatureRanks, RiseTowardsEdgesAndCorners)
   int flat_found = 0;
   for (std::size_t i = 0; i < ranks.size(); ++i) {
     // Distances to the three nearest sides of the cube; a point is on one of them.
-    Eigen::Array3d gap = (1 - points[stages.points.input_index[i]].array().abs()) / interval;
+    Eigen::Array3d gap = (1 - points[stages.points.input_index[i]].array().abs()) / interval_of(stages);
     std::sort(gap.data(), gap.data() + 3);
     const Place place = gap[1] > 3 ? flat : gap[1] > 0.5 ? beside_edge : gap[2] > 0.5 ? on_edge : at_corner;
     sum[place] += ranks[i];
@@ -176,13 +182,11 @@ TEST(FeatureRanks, AreHighOnRims)
 {
   const Points points = plane(20000);
   const Stages stages(points);
-  const std::vector<std::uint8_t> ranks =
-      pds::feature_ranks(stages.points, stages.surface, stages.graph, stages.parallel);
-  const double interval = stages.graph.sampling_interval * stages.points.unit;
+  const std::vector<std::uint8_t> ranks = feature_ranks(stages);
   int rim = 0, rim_found = 0, inner = 0, inner_found = 0;
   for (std::size_t i = 0; i < ranks.size(); ++i) {
     const Eigen::Vector3d& p = points[stages.points.input_index[i]];
-    const double from_rim = (1 - std::max(std::abs(p.x()), std::abs(p.y()))) / interval;
+    const double from_rim = (1 - std::max(std::abs(p.x()), std::abs(p.y()))) / interval_of(stages);
     const int found = ranks[i] >= pds::crease_rank ? 1 : 0;
     rim += from_rim < 0.3 ? 1 : 0;
     rim_found += from_rim < 0.3 ? found : 0;
@@ -196,16 +200,14 @@ TEST(FeatureRanks, AreHighOnRims)
 TEST(FeatureRanks, AreAllTheSameWithoutNeighbors)
 {
   const Stages stages({{0, 0, 0}});
-  EXPECT_EQ(pds::feature_ranks(stages.points, stages.surface, stages.graph, stages.parallel),
-            std::vector<std::uint8_t>{0});
+  EXPECT_EQ(feature_ranks(stages), std::vector<std::uint8_t>{0});
 }
 
 TEST(FeatureRanks, FindHardlyAnyCreasesOrRimsOnSmoothShapes)
 {
   for (const Points& points : {sphere(20000), torus(20000)}) {
     const Stages stages(points);
-    const std::vector<std::uint8_t> ranks =
-        pds::feature_ranks(stages.points, stages.surface, stages.graph, stages.parallel);
+    const std::vector<std::uint8_t> ranks = feature_ranks(stages);
     const auto found = std::count_if(ranks.begin(), ranks.end(), [](int rank) { return rank >= pds::crease_rank; });
     EXPECT_LT(static_cast<double>(found), chance_rims * static_cast<double>(ranks.size()));
   }

@@ -98,7 +98,7 @@ TEST(CommandLineTest, takes_several_inputs_streams_classes_and_normals)
   EXPECT_TRUE(command_line.normals);
   EXPECT_TRUE(parse_with_files({}).classes.empty());
   EXPECT_FALSE(parse_with_files({}).normals);
-  for (const char* bad : {"", ",", "2;6", "256", "-1", "2.5", "ground"}) {
+  for (const char* bad : {"", ",", "2,,6", "2,", "2;6", "256", "-1", "2.5", "ground"}) {
     EXPECT_TRUE(contains(complaint_with_files({std::string("--class=") + bad}), "--class")) << bad;
   }
   EXPECT_TRUE(contains(complaint({"a.ply", "a.ply", "out.ply"}), "named twice"));

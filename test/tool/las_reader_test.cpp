@@ -195,6 +195,7 @@ TEST(LasReader, names_what_is_wrong)
   };
   EXPECT_NE(with(104, std::uint8_t{0x80}).find("compressed"), std::string::npos);
   EXPECT_NE(with(104, std::uint8_t{11}).find("point format 11"), std::string::npos);
+  EXPECT_NE(with(104, std::uint8_t{77}).find("point format 77"), std::string::npos);
   EXPECT_NE(with(105, std::uint16_t{19}).find("shorter"), std::string::npos);
   EXPECT_NE(with(96, std::uint32_t{10}).find("inside the header"), std::string::npos);
   EXPECT_NE(with(96, std::uint32_t{4000000000}).find("cut short"), std::string::npos);

@@ -41,16 +41,16 @@ constexpr std::array<std::size_t, 11> standard_bytes = {20, 28, 26, 34, 57, 63, 
 std::size_t parse_point_format(std::uint8_t code, LasCompression compression)
 {
   constexpr std::uint8_t compressed = 0xC0;  // LASzip sets one of the two highest bits
+  const std::size_t format = code & ~compressed;
+  if (format >= standard_bytes.size()) {
+    throw_damaged("the unknown point format " + std::to_string(code));
+  }
   const bool is_compressed = (code & compressed) != 0;
   if (is_compressed && compression == LasCompression::none) {
     throw InvalidInput("is compressed; let its name end in .laz, which a build with PDAL reads");
   }
   if (!is_compressed && compression == LasCompression::laszip) {
     throw InvalidInput("is not compressed; let its name end in .las");
-  }
-  const std::size_t format = code & ~compressed;
-  if (format >= standard_bytes.size()) {
-    throw_damaged("the unknown point format " + std::to_string(format));
   }
   return format;
 }
