@@ -102,11 +102,11 @@ double largest_weight(const std::vector<float>& weights, const WeightLimits& lim
 SurfaceEstimate estimate_surface(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
 {
   SurfaceEstimate surface;
-  surface.normal.resize(graph.size());
-  surface.curvature.resize(graph.size());
-  surface.inside.resize(graph.size());
+  surface.normal.resize(points.size());
+  surface.curvature.resize(points.size());
+  surface.inside.resize(points.size());
   const InstructionSet set = best_instruction_set();
-  parallel.blocks(graph.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+  parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
     fit_planes(set, points, graph, begin, end, surface);
   });
   return surface;

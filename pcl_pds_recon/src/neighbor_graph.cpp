@@ -108,6 +108,24 @@ class AnyRows
   const NeighborGraph& graph_;
 };
 
+/** \brief The same if some rows lack points of another sheet, and hold farther ones of their own. */
+class PartedRows
+{
+ public:
+  explicit PartedRows(const NeighborGraph& graph) : reach_(graph.reach.data()), complete_(graph), any_(graph) {}
+
+  [[nodiscard]] bool lists(std::uint32_t lister, std::uint32_t listed, float squared_distance) const
+  {
+    return reach_[lister].rank == Reach::parted ? any_.lists(lister, listed, squared_distance)
+                                                : complete_.lists(lister, listed, squared_distance);
+  }
+
+ private:
+  const Reach* reach_;
+  CompleteRows complete_;
+  AnyRows any_;
+};
+
 /** \brief What a walk over rows finds out about their lengths. */
 class Lengths
 {
@@ -202,23 +220,38 @@ void join_rows(const OrderedPoints& points, const Rows& rows, NeighborGraph& gra
 
 }  // namespace
 
+NeighborGraph list_neighbors(const OrderedPoints& points, const PointCloudView& cloud, int k, const Parallel& parallel)
+{
+  NeighborGraph graph;
+  if (points.size() < 2) return graph;
+  graph.stride = std::min<std::size_t>(static_cast<std::size_t>(k), points.size() - 1);
+  find_own_neighbors(points, cloud, graph, parallel);
+  graph.reach = measure_reach(points, graph, parallel);
+  return graph;
+}
+
+void join_neighbors(const OrderedPoints& points,
+                    const PointCloudView& cloud,
+                    NeighborGraph& graph,
+                    const Parallel& parallel)
+{
+  if (points.size() < 2)
+    ReverseEdges(points.size(), 1).file(graph, parallel);
+  else if (cloud.neighbor_search)
+    join_rows(points, AnyRows(graph), graph, parallel);
+  else if (!graph.own_count.empty())
+    join_rows(points, PartedRows(graph), graph, parallel);
+  else
+    join_rows(points, CompleteRows(graph), graph, parallel);
+}
+
 NeighborGraph build_neighbor_graph(const OrderedPoints& points,
                                    const PointCloudView& cloud,
                                    int k,
                                    const Parallel& parallel)
 {
-  NeighborGraph graph;
-  if (points.size() < 2) {
-    ReverseEdges(points.size(), 1).file(graph, parallel);
-    return graph;
-  }
-  graph.stride = std::min<std::size_t>(static_cast<std::size_t>(k), points.size() - 1);
-  find_own_neighbors(points, cloud, graph, parallel);
-  graph.reach = measure_reach(points, graph, parallel);
-  if (cloud.neighbor_search)
-    join_rows(points, AnyRows(graph), graph, parallel);
-  else
-    join_rows(points, CompleteRows(graph), graph, parallel);
+  NeighborGraph graph = list_neighbors(points, cloud, k, parallel);
+  join_neighbors(points, cloud, graph, parallel);
   return graph;
 }
 

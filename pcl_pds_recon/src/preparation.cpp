@@ -3,6 +3,7 @@
 
 #include <pcl_pds_recon/outliers.h>
 #include <pcl_pds_recon/scan_noise.h>
+#include <pcl_pds_recon/sheet_separation.h>
 #include <pcl_pds_recon/thinning.h>
 #include <algorithm>
 #include <cmath>
@@ -56,10 +57,14 @@ Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& opt
   };
   const auto join = [&] {
     found.graph = {};  // before the next one is made: two of them would be the peak of the run's memory
+    found.surface = {};
     // A search that the caller brings knows nothing of smoothed positions.
     PointCloudView searched = cloud;
     if (found.points.smoothed) searched.neighbor_search = nullptr;
-    found.graph = build_neighbor_graph(found.points, searched, options.k_neighbors, parallel);
+    found.graph = list_neighbors(found.points, searched, options.k_neighbors, parallel);
+    found.surface = estimate_surface(found.points, found.graph, parallel);
+    separate_sheets(cloud, found.points, found.graph, found.surface, parallel);
+    join_neighbors(found.points, searched, found.graph, parallel);
   };
   const bool absolute = radius_is_absolute(options);
   found.points = order_points(cloud, parallel);
@@ -91,13 +96,9 @@ Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& opt
   return found;
 }
 
-Metric choose_metric(const Neighborhoods& found,
-                     const SurfaceEstimate& surface,
-                     const Options& options,
-                     const Parallel& parallel,
-                     Report& report)
+Metric choose_metric(const Neighborhoods& found, const Options& options, const Parallel& parallel, Report& report)
 {
-  const auto& [points, graph, radius, interval_of_cloud] = found;
+  const auto& [points, graph, surface, radius, interval_of_cloud] = found;
   Metric metric;
   const double interval = graph.sampling_interval;
   if (interval <= 0) return metric;

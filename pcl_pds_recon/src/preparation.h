@@ -19,12 +19,13 @@ struct Neighborhoods
 {
   OrderedPoints points;
   NeighborGraph graph;
-  double radius = 0;    ///< wanted, or a first guess, where the weight is its mean; units of position
+  SurfaceEstimate surface;  ///< of the points and their rows
+  double radius = 0;        ///< wanted, or a first guess, where the weight is its mean; units of position
   double interval = 0;  ///< sampling interval that the radius refers to: of the cloud before thinning, if that is known
 };
 
-/** \brief Orders, thins, sorts out, smooths if they are noisy, and joins the points. A radius in sampling intervals is
- * known only once all are joined. */
+/** \brief Orders, thins, sorts out, smooths if they are noisy, and joins the points, sheets apart. A radius in sampling
+ * intervals is known only once all are joined. */
 [[nodiscard]] Neighborhoods find_neighborhoods(const PointCloudView& cloud,
                                                const Options& options,
                                                const Parallel& parallel);
@@ -37,7 +38,6 @@ struct Metric
 };
 
 [[nodiscard]] Metric choose_metric(const Neighborhoods& found,
-                                   const SurfaceEstimate& surface,
                                    const Options& options,
                                    const Parallel& parallel,
                                    Report& report);

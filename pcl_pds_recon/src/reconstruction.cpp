@@ -77,10 +77,9 @@ class Run
     clock_.start("neighbors", 0.0, report_.seconds.neighbors);
     found_ = find_neighborhoods(cloud_, options_, parallel_);
     clock_.start("weights", 0.4, report_.seconds.weights);
-    surface_ = estimate_surface(found_.points, found_.graph, parallel_);
-    metric_ = choose_metric(found_, surface_, options_, parallel_, report_);
+    metric_ = choose_metric(found_, options_, parallel_, report_);
     features_ = found_.points.smoothed ? middle_ranks(cloud_, found_.points, parallel_)
-                                       : feature_ranks(found_.points, surface_, found_.graph, parallel_);
+                                       : feature_ranks(found_.points, found_.surface, found_.graph, parallel_);
   }
 
   /** \brief Steps 2 to 5: seeds and their disks, finest level first. The seeds of a level are among those of the finer
@@ -109,7 +108,7 @@ class Run
     if (!allowed.empty()) keep_evidence(sampling, allowed, dual.voronoi);
     if (!repeats_) found_.graph = NeighborGraph();  // half of the memory, and of no more use
     clock_.start("seed_graph", 0.8, report_.seconds.seed_graph);
-    dual.seeds = describe_seeds(cloud_, found_.points, surface_, sampling, dual.voronoi, parallel_);
+    dual.seeds = describe_seeds(cloud_, found_.points, found_.surface, sampling, dual.voronoi, parallel_);
     dual.graph = build_seed_graph(dual.seeds, dual.voronoi.pairs, parallel_);
 
     clock_.start("faces", 0.85, report_.seconds.faces);
@@ -210,7 +209,7 @@ class Run
  private:
   PoissonDiskSampling sample(double radius, const GivenSeeds& given) const
   {
-    return sample_poisson_disks(found_.points, found_.graph, surface_, metric_.weights, features_,
+    return sample_poisson_disks(found_.points, found_.graph, found_.surface, metric_.weights, features_,
                                 std::min(radius, largest_radius), options_.geodesic_solver, options_.seed, parallel_,
                                 given);
   }
@@ -222,7 +221,6 @@ class Run
   Report report_;
   StageClock clock_;
   Neighborhoods found_;
-  SurfaceEstimate surface_;
   Metric metric_;
   std::vector<std::uint8_t> features_;
   bool repeats_ = false;

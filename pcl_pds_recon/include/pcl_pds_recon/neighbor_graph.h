@@ -82,6 +82,8 @@ struct Reach
 {
   float squared;       ///< distance of the farthest one; 0 if there is none
   std::uint32_t rank;  ///< of the farthest one
+
+  static constexpr std::uint32_t parted = 0xffffffffU;  ///< in place of the rank: the row is of one sheet
 };
 
 /** \brief A point is alone if its reach is so many times that of most of its neighbours; where the density of a scan
@@ -137,5 +139,18 @@ struct NeighborGraph
                                                  const PointCloudView& cloud,
                                                  int k,
                                                  const Parallel& parallel);
+
+///@{
+/** \brief The steps of build_neighbor_graph(), between which sheets may be parted: finds the rows and their reach, and
+ * adds the edges that only one end lists to the other end. */
+[[nodiscard]] NeighborGraph list_neighbors(const OrderedPoints& points,
+                                           const PointCloudView& cloud,
+                                           int k,
+                                           const Parallel& parallel);
+void join_neighbors(const OrderedPoints& points,
+                    const PointCloudView& cloud,
+                    NeighborGraph& graph,
+                    const Parallel& parallel);
+///@}
 
 }  // namespace pds

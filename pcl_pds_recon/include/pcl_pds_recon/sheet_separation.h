@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include <pcl_pds_recon/edge_weights.h>
+#include <pcl_pds_recon/neighbor_graph.h>
+#include <pcl_pds_recon/point_cloud_view.h>
+
+namespace pds
+{
+
+/** \brief Parts two sheets that are nearer to each other than neighbours reach: the sides of a thin plate, or surfaces
+ * that nearly touch.
+ *
+ * A point has a second sheet beside its own if the points around lie in two parallel planes with nothing in between;
+ * the noise of a scan fills what is between its layers, and if the cloud has normals, those of the two sheets face
+ * away from each other. Rows lose the points of the other sheet, and those of such points are filled up with more
+ * points of their own. O(n), and some microseconds for each point whose neighbourhood is no plane.
+ * \param graph of which the rows are known; they are joined afterwards
+ * \param surface of the graph, fitted anew where rows change
+ * \return how many points have a second sheet beside theirs
+ */
+std::size_t separate_sheets(const PointCloudView& cloud,
+                            const OrderedPoints& points,
+                            NeighborGraph& graph,
+                            SurfaceEstimate& surface,
+                            const Parallel& parallel);
+
+}  // namespace pds

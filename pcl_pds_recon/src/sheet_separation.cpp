@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/sheet_separation.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+#include "plane_kernel.h"
+#include "sheet_rule.h"
+#include "sheets.h"
+
+namespace pds
+{
+namespace
+{
+
+constexpr std::size_t block = 1024;  // points per block: where there are sheets, each takes some microseconds
+
+constexpr std::size_t fewest_left = 3;  // neighbours: with fewer a point is on no surface, and keeps those it has
+
+/** \brief Looks at those points of a block whose neighbourhoods are no planes; at a few of them only, if these find
+ * noise and no sheets. */
+std::vector<Sheet> find_sheets(const SurfaceEstimate& surface, std::size_t begin, std::size_t end, SheetRule& rule)
+{
+  constexpr std::size_t few = 32;
+  constexpr std::size_t many = 2 * few;
+  constexpr std::size_t least_share = 16;  // one in so many; of sheets it is a quarter and more
+  std::vector<std::uint32_t> thick;
+  for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+    if (surface.curvature[i] > SheetRule::thick) thick.push_back(i);
+  std::vector<Sheet> found;
+  Sheet sheet;
+  if (thick.size() > many) {
+    std::size_t sheets = 0;
+    for (std::size_t sample = 0; sample < few; ++sample)
+      sheets += rule.find(thick[sample * thick.size() / few], sheet) ? 1 : 0;
+    if (sheets * least_share < few) return found;
+  }
+  for (const std::uint32_t i : thick)
+    if (rule.find(i, sheet)) found.push_back(sheet);
+  return found;
+}
+
+/** \brief Sheets that most of the thick neighbourhoods around agree on: chance may show one to a single point. */
+Sheets choose_sheets(std::vector<std::vector<Sheet>> of_block,
+                     const OrderedPoints& points,
+                     const NeighborGraph& graph,
+                     const SurfaceEstimate& surface)
+{
+  constexpr std::size_t least_share = 3;  // one in so many
+  Sheets found(points, graph);
+  for (std::vector<Sheet>& part : of_block)
+    for (Sheet& sheet : part) found.add(std::move(sheet));
+  Sheets chosen(points, graph);
+  for (const Sheet& sheet : found.all()) {
+    std::size_t thick = 0;
+    std::size_t agreeing = 0;
+    for (const std::uint32_t j : graph.nearest(sheet.point)) {
+      thick += surface.curvature[j] > SheetRule::thick ? 1 : 0;
+      agreeing += found.of(j) != nullptr ? 1 : 0;
+    }
+    if (agreeing * least_share >= thick) chosen.add(sheet);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::size_t separate_sheets(const PointCloudView& cloud,
+                            const OrderedPoints& points,
+                            NeighborGraph& graph,
+                            SurfaceEstimate& surface,
+                            const Parallel& parallel)
+{
+  std::vector<std::vector<Sheet>> of_block((points.size() + block - 1) / block);
+  parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+    SheetRule rule(cloud, points, graph, surface);
+    of_block[begin / block] = find_sheets(surface, begin, end, rule);
+  });
+  Sheets sheets = choose_sheets(std::move(of_block), points, graph, surface);
+  sheets.spread();
+  if (sheets.all().empty()) return 0;
+
+  const bool full = graph.own_count.empty();
+  if (full) graph.own_count.resize(points.size());
+  const InstructionSet set = best_instruction_set();
+  parallel.each(points.size(), block, [&](std::size_t at) {
+    if (full) graph.own_count[at] = static_cast<std::uint16_t>(graph.stride);
+    const auto i = static_cast<std::uint32_t>(at);
+    if (!sheets.are_near(i)) return;
+    const std::vector<std::uint32_t> row = sheets.own_row(i);
+    if (row.size() < fewest_left) return;
+    std::copy(row.begin(), row.end(), graph.own.begin() + static_cast<std::ptrdiff_t>(at * graph.stride));
+    graph.own_count[at] = static_cast<std::uint16_t>(row.size());
+    graph.reach[at].rank = Reach::parted;
+    fit_planes(set, points, graph, at, at + 1, surface);
+  });
+  return sheets.all().size();
+}
+
+}  // namespace pds

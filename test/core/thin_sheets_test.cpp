@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/sheet_separation.h>
+
+#include "core_testing.h"
+
+/** \brief Sheets that are nearer to each other than neighbours reach stay apart, and noise is no sheet. */
+namespace pds_test
+{
+namespace
+{
+
+/** \brief Mean distance to the 15 nearest of so many random points on so large a surface. */
+double interval_of(double area, std::size_t count)
+{
+  return 2.0 / 3.0 * std::sqrt(15 * area / (pi * static_cast<double>(count)));
+}
+
+/** \brief Points of a rectangle from the origin, at random or one in each cell of a grid. */
+Points rectangle(double width, double height, double points_per_area, bool jittered, Random& random)
+{
+  Points points;
+  if (!jittered) {
+    const auto count = static_cast<std::size_t>(width * height * points_per_area);
+    while (points.size() < count) points.emplace_back(random.uniform(0, width), random.uniform(0, height), 0);
+    return points;
+  }
+  const double side = 1 / std::sqrt(points_per_area);
+  const auto columns = static_cast<std::size_t>(std::lround(width / side));
+  const auto rows = static_cast<std::size_t>(std::lround(height / side));
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t j = 0; j < rows; ++j)
+      points.emplace_back((static_cast<double>(i) + random.uniform(0.1, 0.9)) * width / static_cast<double>(columns),
+                          (static_cast<double>(j) + random.uniform(0.1, 0.9)) * height / static_cast<double>(rows), 0);
+  return points;
+}
+
+struct Pair
+{
+  double gap;    ///< in intervals of one sheet
+  double noise;  ///< likewise
+  bool jittered;
+
+  friend std::ostream& operator<<(std::ostream& stream, const Pair& pair)
+  {
+    return stream << pair.gap << " intervals apart, noise " << pair.noise
+                  << (pair.jittered ? ", jittered" : ", random");
+  }
+};
+
+/** \brief The unit square twice, the lower one first. */
+Points two_squares(const Pair& pair, std::size_t count)
+{
+  Random random(1);
+  const auto density = static_cast<double>(count);
+  const double interval = interval_of(1, count);
+  Points lower = rectangle(1, 1, density, pair.jittered, random);
+  Points upper = rectangle(1, 1, density, pair.jittered, random);
+  for (Eigen::Vector3d& p : upper) p.z() = pair.gap * interval;
+  Points points = joined(lower, upper);
+  for (Eigen::Vector3d& p : points) p.z() += pair.noise * interval * random.normal();
+  return points;
+}
+
+Points two_spheres(const Pair& pair, std::size_t count)
+{
+  const double interval = interval_of(4 * pi, count);
+  Points points = sphere(count, 1);
+  const double radius = 1 + pair.gap * interval;
+  for (const Eigen::Vector3d& p : sphere(static_cast<std::size_t>(static_cast<double>(count) * radius * radius), 2))
+    points.emplace_back(radius * p);
+  Random random(3);
+  for (Eigen::Vector3d& p : points) p *= 1 + pair.noise * interval * random.normal();
+  return points;
+}
+
+class TwoSquares : public testing::TestWithParam<Pair>
+{
+};
+
+class TwoSpheres : public testing::TestWithParam<Pair>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Gaps,
+                         TwoSquares,
+                         testing::Values(Pair{0.8, 0, false},
+                                         Pair{1, 0, false},
+                                         Pair{1, 0, true},
+                                         Pair{1.5, 0, false},
+                                         Pair{1.5, 0, true},
+                                         Pair{2, 0, false},
+                                         Pair{2, 0.3, true},
+                                         Pair{3, 0, false},
+                                         Pair{3, 0.3, true}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Gaps,
+    TwoSpheres,
+    testing::Values(Pair{0.8, 0, false}, Pair{1, 0, false}, Pair{1.5, 0, false}, Pair{2, 0, false}, Pair{3, 0, false}));
+
+TEST_P(TwoSquares, StayTwo)
+{
+  const Points points = two_squares(GetParam(), small_cloud);
+  const pds::Reconstruction mesh = reconstruct(points);
+  const MeshFacts facts = expect_sound(mesh, points);
+  EXPECT_EQ(facts.components, 2U);
+  EXPECT_EQ(facts.boundary_loops, 2U);
+  EXPECT_EQ(facts.euler(), 2);
+  EXPECT_GT(facts.area, 1.8);  // the rims lie within the squares
+  EXPECT_LT(facts.area, 2.02);
+}
+
+TEST_P(TwoSpheres, StayTwo)
+{
+  const Points points = two_spheres(GetParam(), small_cloud);
+  const pds::Reconstruction mesh = reconstruct(points);
+  const MeshFacts facts = expect_sound(mesh, points);
+  EXPECT_EQ(facts.components, 2U);
+  EXPECT_EQ(facts.boundary_loops, 0U);
+  EXPECT_EQ(facts.euler(), 4);
+}
+
+/** \brief The surface of a plate of 6 x 2 with three square holes through it: genus 3. */
+Points three_holed_plate(double thickness, double points_per_area, bool jittered)
+{
+  Random random(1);
+  const auto in_hole = [](const Eigen::Vector3d& p) {
+    return std::abs(p.y() - 1) < 0.5 && std::abs(std::fmod(p.x(), 2) - 1) < 0.5;
+  };
+  Points points;
+  for (const double z : {0.0, thickness})
+    for (const Eigen::Vector3d& p : rectangle(6, 2, points_per_area, jittered, random))
+      if (!in_hole(p)) points.emplace_back(p.x(), p.y(), z);
+  const auto add_wall = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    const double length = (to - from).norm();
+    for (const Eigen::Vector3d& p : rectangle(length, thickness, points_per_area, jittered, random)) {
+      const Eigen::Vector2d at = from + p.x() / length * (to - from);
+      points.emplace_back(at.x(), at.y(), p.y());
+    }
+  };
+  const auto add_walls = [&](double left, double right, double bottom, double top) {
+    add_wall({left, bottom}, {right, bottom});
+    add_wall({right, bottom}, {right, top});
+    add_wall({right, top}, {left, top});
+    add_wall({left, top}, {left, bottom});
+  };
+  add_walls(0, 6, 0, 2);
+  for (const double middle : {1.0, 3.0, 5.0}) add_walls(middle - 0.5, middle + 0.5, 0.5, 1.5);
+  return points;
+}
+
+TEST(ThinPlate, KeepsItsHoles)
+{
+  constexpr double points_per_area = 4000;
+  const double interval = interval_of(1, static_cast<std::size_t>(points_per_area));
+  for (const bool jittered : {false, true}) {
+    SCOPED_TRACE(jittered ? "jittered" : "random");
+    const Points points = three_holed_plate(2 * interval, points_per_area, jittered);
+    const pds::Reconstruction mesh = reconstruct(points);
+    const MeshFacts facts = expect_sound(mesh, points);
+    EXPECT_EQ(facts.components, 1U);
+    EXPECT_EQ(mesh.report.euler + static_cast<long long>(mesh.report.boundary_loops), -4);  // genus 3
+    EXPECT_LE(mesh.report.boundary_loops, jittered ? 0U : 1U);
+  }
+}
+
+/** \brief The first stages up to the separation. */
+struct ListedCloud
+{
+  explicit ListedCloud(const pds::PointCloudView& view)
+      : cloud(view),
+        points(pds::order_points(view, parallel)),
+        graph(pds::list_neighbors(points, view, 15, parallel)),
+        surface(pds::estimate_surface(points, graph, parallel))
+  {
+  }
+
+  std::size_t separate() { return pds::separate_sheets(cloud, points, graph, surface, parallel); }
+
+  pds::Parallel parallel{2};
+  pds::PointCloudView cloud;
+  pds::OrderedPoints points;
+  pds::NeighborGraph graph;
+  pds::SurfaceEstimate surface;
+};
+
+/** \brief How many points list one of the other sheet: the one whose points come first in the input, or the other. */
+std::size_t rows_of_both(const ListedCloud& listed, std::size_t points_of_first)
+{
+  std::size_t count = 0;
+  const auto is_of_first = [&](std::uint32_t j) { return listed.points.input_index[j] < points_of_first; };
+  for (std::uint32_t i = 0; i < listed.points.size(); ++i) {
+    const pds::NeighborSpan row = listed.graph.nearest(i);
+    count += std::any_of(row.begin(), row.end(), [&](auto j) { return is_of_first(j) != is_of_first(i); }) ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(SheetSeparation, LeavesNoRowWithPointsOfBothSheets)
+{
+  const Points input = two_squares({1, 0, false}, small_cloud);
+  ListedCloud listed(view_of(input));
+  EXPECT_GT(rows_of_both(listed, small_cloud), input.size() * 9 / 10);
+  EXPECT_GT(listed.separate(), input.size() / 2);
+  EXPECT_LE(rows_of_both(listed, small_cloud), input.size() / 1000);
+}
+
+TEST(SheetSeparation, JoinsEveryEdgeOnceFromEitherEnd)
+{
+  const Points input = two_squares({1, 0, false}, small_cloud);
+  ListedCloud listed(view_of(input));
+  ASSERT_GT(listed.separate(), 0U);
+  pds::join_neighbors(listed.points, listed.cloud, listed.graph, listed.parallel);
+  for (std::uint32_t i = 0; i < input.size(); ++i)
+    for (const std::uint32_t j : listed.graph.neighbors(i)) {
+      const pds::NeighborRange back = listed.graph.neighbors(j);
+      ASSERT_EQ(std::count(back.begin(), back.end(), i), 1) << i << " " << j;
+    }
+}
+
+TEST(SheetSeparation, FindsNoneInNoiseBendsAndCreases)
+{
+  const double interval = interval_of(4 * pi, small_cloud);
+  Random random(2);
+  for (const double noise : {0.1, 0.3, 1.0}) {
+    Points points = sphere(small_cloud);
+    for (Eigen::Vector3d& p : points) p *= 1 + noise * interval * random.normal();
+    EXPECT_LE(ListedCloud(view_of(points)).separate(), small_cloud / 500) << noise;
+  }
+  EXPECT_LE(ListedCloud(view_of(cube(small_cloud))).separate(), small_cloud / 1000);
+  EXPECT_EQ(ListedCloud(view_of(sphere(300))).separate(), 0U);
+}
+
+TEST(SheetSeparation, BelievesNormalsThatSheetsAreLayersOfOneSide)
+{
+  const Points points = two_squares({1, 0, true}, small_cloud);
+  std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d::UnitZ());
+  pds::PointCloudView cloud = view_of(points);
+  cloud.normals = pds::Vector3View(normals.front().data(), sizeof(Eigen::Vector3d));
+  EXPECT_EQ(ListedCloud(cloud).separate(), 0U);
+  std::fill(normals.begin(), normals.begin() + static_cast<std::ptrdiff_t>(points.size() / 2),
+            Eigen::Vector3d(-Eigen::Vector3d::UnitZ()));
+  EXPECT_GT(ListedCloud(cloud).separate(), points.size() / 2);
+}
+
+}  // namespace
+}  // namespace pds_test
