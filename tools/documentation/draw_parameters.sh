@@ -12,12 +12,13 @@ duck=$PWD/data/duck_scan.ply
 "$build/tools/generate/simulate_scan" --noise 0.7 "$work/noisy.ply"
 "$build/tools/generate/simulate_terrain" "$work/terrain.las"
 "$build/tools/generate/simulate_scan" --shape part "$work/part.ply"
+"$build/tools/generate/simulate_scan" --shape part --noise 0.7 "$work/noisy_part.ply"
 
-camera=35,15,1.6,z layers=mesh,edges,loops
+camera=35,15,1.6,z layers=mesh,edges,loops shading=smooth
 show() # PICTURE FILE
 {
-  env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" --show "$layers" --camera "$camera" --size 300x260 \
-    --screenshot "$output/$1.png" "$2"
+  env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" --show "$layers" --shading "$shading" --camera "$camera" \
+    --size 300x260 --screenshot "$output/$1.png" "$2"
 }
 draw() # PICTURE SCAN OPTION...
 {
@@ -40,9 +41,9 @@ for steps in 0 15; do draw "relax_$steps" "$duck" -f 5 --relax "$steps"; done
 draw levels_0 "$duck" --levels 3
 for level in 1 2; do show "levels_$level" "$work/mesh_$level.ply"; done
 
-camera=35,40,1.2,z layers=mesh
-for p in point quadric; do draw "placement_$p" "$work/part.ply" -f 4 --placement "$p"; done
-camera=35,15,1.6,z layers=mesh,edges,loops
+camera=35,40,2.6,z layers=mesh shading=flat
+for p in point quadric; do draw "placement_$p" "$work/noisy_part.ply" -f 4 --placement "$p"; done
+camera=35,15,1.6,z layers=mesh,edges,loops shading=smooth
 
 # A hole in the scan: its points in a ball on the side of the body are left out.
 "$build/tools/pcl_pds_recon" --quiet --ascii --voronoi "$work/voronoi.ply" "$duck" "$work/mesh.ply"
@@ -50,18 +51,13 @@ sed '1,/^end_header/d' "$work/voronoi.ply" |
   awk '{ d = ($1 - 0.45)^2 + ($2 + 0.5)^2 + ($3 + 0.2)^2; if (d > 0.008) print $1, $2, $3 }' >"$work/hole.xyz"
 for size in 5 15; do draw "hole_size_$size" "$work/hole.xyz" -f 4 --hole-size "$size"; done
 
-# The cells, as the viewer draws the diagram that --voronoi writes.
+# The cells and the witness points, as the viewer draws the diagram that --voronoi writes.
 env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" -f 6 --points --show cells --camera "$camera" --size 300x260 \
   --screenshot "$output/voronoi.png" "$duck"
 
-# Witness points, from the field that --voronoi writes.
-layers=cloud
 for threshold in 0.02 0.1 0.4; do
-  "$build/tools/pcl_pds_recon" --quiet --ascii -f 6 --voronoi-threshold "$threshold" --voronoi "$work/voronoi.ply" \
-    "$duck" "$work/mesh.ply"
-  column=$(sed '/^end_header/,$d' "$work/voronoi.ply" | grep '^property' | grep -n ' witness$' | cut -d: -f1)
-  sed '1,/^end_header/d' "$work/voronoi.ply" | awk -v c="$column" '$c == 1 { print $1, $2, $3 }' >"$work/witness.xyz"
-  show "voronoi_threshold_$threshold" "$work/witness.xyz"
+  env -u DISPLAY "$build/tools/viewer/pcl_pds_viewer" -f 6 --voronoi-threshold "$threshold" --points --show witnesses \
+    --camera "$camera" --size 300x260 --screenshot "$output/voronoi_threshold_$threshold.png" "$duck"
 done
 
 # Curves, drawn by the viewer's own run.

@@ -159,7 +159,8 @@ vtkSmartPointer<vtkActor> ActorFactory::make_points(Layer layer, std::size_t lim
   if (layer == Layer::cells || (layer == Layer::cloud && !data_.point_color.empty())) {
     set_colors(data, point_colors(layer, chosen));
   }
-  const float larger = limit < size(layer) ? 1 : 0;  // some make up for many
+  constexpr std::size_t few = 50000;  // whose dots of a pixel each would be lost in a picture
+  const float larger = limit < size(layer) || chosen.size() < few ? 1 : 0;
   switch (layer) {
     case Layer::seeds:
       return make_actor(data, {0.85, 0.1, 0.1}, 4);
@@ -240,7 +241,10 @@ vtkSmartPointer<vtkActor> ActorFactory::make_lines(Layer layer, std::size_t limi
     return actor;
   }
   const vtkSmartPointer<vtkPolyData> seeds = point_data(data_.cloud, data_.seeds, center_);
-  return make_actor(segment_data(seeds, data_.seed_edges, spread(size(layer), limit)), {0.55, 0.15, 0.55});
+  vtkSmartPointer<vtkActor> actor =
+      make_actor(segment_data(seeds, data_.seed_edges, spread(size(layer), limit)), {0.55, 0.15, 0.55});
+  actor->GetProperty()->SetLineWidth(2);
+  return actor;
 }
 
 vtkSmartPointer<vtkActor> ActorFactory::make(Layer layer, std::size_t limit)
