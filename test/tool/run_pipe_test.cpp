@@ -51,6 +51,9 @@ TEST_F(RunPipe, says_what_is_wrong_with_standard_input_and_leaves_standard_outpu
     EXPECT_EQ(run("-q - - <in"), 1) << text;
     EXPECT_TRUE(complained_of("standard input: ")) << text;
   }
+  write("in", "LASF");
+  EXPECT_EQ(run("-q - - <in"), 1);
+  EXPECT_TRUE(complained_of("is neither a PLY nor a PCD; "));
   write("in.ply", ply_sphere(0, "", ""));
   EXPECT_EQ(run("-q - - - <in.ply"), 2);
   EXPECT_TRUE(complained_of("named twice"));

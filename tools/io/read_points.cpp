@@ -12,6 +12,10 @@
 
 #include <pcl_pds_recon/options.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #ifdef PCL_PDS_RECON_WITH_PDAL
 #include "io/pdal_reader.h"
 #else
@@ -29,11 +33,19 @@ PointTable read_text_format(const std::string& path, PointTable (*reader)(std::s
   return reader(ByteSource::from_file(path).all());
 }
 
-/** A pipe has no name to tell the format by, but a PLY file says what it is. */
+/** A pipe has no name to tell the format by, but PLY and PCD files say what they are. */
 PointTable read_standard_input(const Parallel& parallel)
 {
   const ByteSource source = ByteSource::from_standard_input();
-  return source.head(3) == "ply" ? read_ply(source, parallel) : read_pcd(source, parallel);
+  const auto starts_with = [&source](std::string_view word) { return source.head(word.size()) == word; };
+  if (starts_with("ply")) {
+    return read_ply(source, parallel);
+  }
+  constexpr std::array<std::string_view, 4> pcd_starts = {"#", "VERSION", "FIELDS", "COLUMNS"};
+  if (std::none_of(pcd_starts.begin(), pcd_starts.end(), starts_with)) {
+    throw InvalidInput("is neither a PLY nor a PCD; other formats are not read from a pipe but from files");
+  }
+  return read_pcd(source, parallel);
 }
 
 #ifndef PCL_PDS_RECON_WITH_PDAL
