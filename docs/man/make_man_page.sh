@@ -21,11 +21,13 @@ cat "$(dirname "$0")/${1#--}"
 END
 chmod +x "$work/$name"
 
-{ [ $# -eq 0 ] || echo "[see also]"; } >"$work/see_also"
+if [ $# -gt 0 ]; then
+  echo "[see also]" >"$work/see_also"
+fi
 while [ $# -gt 0 ]; do
   echo ".BR $1 (1)$([ $# -eq 1 ] || echo ,)" >>"$work/see_also"
   shift
 done
 
-help2man --no-info --name "$what" --include "$work/see_also" "$work/$name" >"$page.part"
+help2man --no-info --name "$what" --opt-include "$work/see_also" "$work/$name" >"$page.part"
 mv "$page.part" "$page"
