@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/hole_filling.h>
 #include <pcl_pds_recon/mesh_cleaning.h>
+#include <pcl_pds_recon/rim_joining.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -28,14 +29,6 @@ constexpr double gap_chord = 6.0;          // radii; such a circle is 7 wide
 constexpr double gap_facing = 0.0;         // cosine: faces of the filling are not beyond the crease
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double perimeter(const TriangleComplex& complex, const Polygon& polygon)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    sum += (complex.position()[polygon[i]] - complex.position()[polygon[(i + 1) % polygon.size()]]).norm();
-  return sum;
-}
 
 /** \brief The two polygons on either side of the chord between the corners i and j, i < j. */
 std::array<Polygon, 2> divide(const Polygon& polygon, std::size_t i, std::size_t j)
@@ -256,16 +249,23 @@ std::size_t fill_holes(TriangleComplex& complex,
                        const std::vector<Polygon>& faces,
                        const FillLimits& limits)
 {
-  std::size_t filled = 0;
-  if (limits.perimeter > 0) {
-    for (const Polygon& p : faces)
-      if (p.size() > 3 && fill_polygon(complex, bordering, p, limits)) ++filled;
+  if (limits.perimeter <= 0) {
+    clean_mesh(complex, seeds);
+    return 0;
+  }
+  auto filled = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](const Polygon& p) {
+    return p.size() > 3 && fill_polygon(complex, bordering, p, limits);
+  }));
+  if (limits.join_rims) {  // before specks go: an island in a gap may be what its shores hang together by
+    complex.remove_pinches();
+    complex.rebuild_orientation();
+    filled += fill_loops(complex, bordering, limits) + join_rims(complex, seeds, bordering, limits);
   }
   for (int round = 0; round < rounds; ++round) {
     clean_mesh(complex, seeds);
-    if (limits.perimeter > 0) filled += fill_loops(complex, bordering, limits);
+    filled += fill_loops(complex, bordering, limits);
   }
-  if (limits.perimeter > 0) filled += mend_holes(complex, bordering, limits);
+  filled += mend_holes(complex, bordering, limits);
   clean_mesh(complex, seeds);
   return filled;
 }

@@ -130,6 +130,14 @@ std::vector<Triangle> triangulate(const TriangleComplex& complex,
   return triangulation.exists() ? triangulation.triangles() : std::vector<Triangle>{};
 }
 
+double perimeter(const TriangleComplex& complex, const Polygon& polygon)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += (complex.position()[polygon[i]] - complex.position()[polygon[(i + 1) % polygon.size()]]).norm();
+  return sum;
+}
+
 double area_of(const std::vector<Triangle>& triangles, const std::vector<Vector3d>& position)
 {
   double sum = 0;

@@ -17,6 +17,9 @@ namespace pds
                                                 const Polygon& polygon,
                                                 const FillLimits& limits);
 
+/** \brief Length of the polygon's sides. */
+[[nodiscard]] double perimeter(const TriangleComplex& complex, const Polygon& polygon);
+
 /** \brief Area of all triangles together. */
 [[nodiscard]] double area_of(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& position);
 

@@ -119,6 +119,7 @@ class Run
     clock_.start("holes", 0.9, report_.seconds.holes);
     FillLimits limits;
     limits.perimeter = options_.hole_size;
+    limits.join_rims = found_.points.smoothed;
     const BorderingCells bordering(dual.voronoi.pairs);
     dual.filled_holes = fill_holes(complex, dual.seeds, bordering, faces.polygons, limits);
     if (found_.points.smoothed && limits.perimeter > 0) {

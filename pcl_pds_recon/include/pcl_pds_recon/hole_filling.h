@@ -18,7 +18,8 @@ struct FillLimits
   double chord = longest_dual_edge;  ///< longest new edge
   double smallest_angle = 0.7;       ///< least angle that two faces may enclose at an edge, radians
   double area = std::numeric_limits<double>::infinity();  ///< most that a filling may have, squared radii
-  double facing = -1.0;  ///< least cosine between a new face and what leads outside at its corners
+  double facing = -1.0;    ///< least cosine between a new face and what leads outside at its corners
+  bool join_rims = false;  ///< across narrow gaps, as noisy scans have them
 };
 
 /** \brief Says whether the Voronoi cells of two seeds share a border. */

@@ -145,6 +145,12 @@ class TriangleComplex
     return face_[face].across[side_of(face, a, b)];
   }
 
+  /** \brief True if edges join the two faces to each other, if only by others; after rebuild_orientation(). */
+  [[nodiscard]] bool joined(std::uint32_t a, std::uint32_t b) const
+  {
+    return orientation_.root_of(a).face == orientation_.root_of(b).face;
+  }
+
   /** \brief Least cosine between the triangle and what leads outside at its corners, if it is turned to the side that
    * most of them are on; 1 if nothing is known. */
   [[nodiscard]] double facing(const Triangle& triangle) const;

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/rim_joining.h>
+
+#include <algorithm>
+
+#include "core_testing.h"
+
+/** \brief Gaps of noisy scans are joined where the surface goes on behind them, and only there. */
+namespace pds_test
+{
+namespace
+{
+
+constexpr double radius = 0.06;        // of the samples; 20,000 points on a square of 2 x 2 are 0.02 apart
+constexpr double noise = 0.25 * 0.02;  // a quarter of that
+constexpr std::size_t count = small_cloud;
+
+/** \brief Points that a test leaves of a noisy square of 2 x 2 in the plane z = 0. */
+template <typename Keep>
+Points noisy_square(const Keep& keep, std::uint64_t seed = 1)
+{
+  Random random(seed + 7);
+  Points points = plane(count, 0, seed);
+  for (Eigen::Vector3d& p : points) p.z() += noise * random.normal();
+  points.erase(std::remove_if(points.begin(), points.end(), [&](const Eigen::Vector3d& p) { return !keep(p); }),
+               points.end());
+  return points;
+}
+
+/** \brief The same, moved by a rotation about the x axis and then a shift. */
+Points moved(Points points, double angle, const Eigen::Vector3d& shift)
+{
+  const Eigen::AngleAxisd turn(angle, Eigen::Vector3d::UnitX());
+  for (Eigen::Vector3d& p : points) p = turn * p + shift;
+  return points;
+}
+
+MeshFacts facts_of(const Points& points, double hole_size = 15)
+{
+  pds::Options options;
+  options.radius = radius;
+  options.hole_size = hole_size;
+  const pds::Reconstruction mesh = reconstruct(points, options);
+  EXPECT_TRUE(mesh.report.smoothed);
+  return expect_sound(mesh, points);
+}
+
+auto beside_slit(double width)
+{
+  return [width](const Eigen::Vector3d& p) { return std::abs(p.y()) > width * radius / 2; };
+}
+
+bool everywhere(const Eigen::Vector3d& /*p*/) { return true; }
+
+TEST(RimJoining, JoinsTheTwoSidesOfANarrowSlit)
+{
+  for (const double width : {1.5, 1.6, 1.7, 1.8, 1.9, 2.0, 2.1, 2.2}) {
+    const auto number = static_cast<std::uint64_t>(100 * width);
+    const MeshFacts facts = facts_of(noisy_square(beside_slit(width), number));
+    EXPECT_EQ(facts.components, 1U) << width;
+    EXPECT_EQ(facts.boundary_loops, 1U) << width;
+    // The slit has 4 % to 7 % of the area.
+    EXPECT_GT(facts.area, 0.99 * facts_of(noisy_square(everywhere, number)).area) << width;
+  }
+}
+
+TEST(RimJoining, ClosesANarrowSlitThatIsLongerThanAHoleMayBe)
+{
+  for (const double width : {1.5, 2.0}) {
+    const auto beside = beside_slit(width);
+    const Points points = noisy_square([&](const Eigen::Vector3d& p) { return std::abs(p.x()) > 0.8 || beside(p); });
+    EXPECT_EQ(facts_of(points).boundary_loops, 1U) << width;  // a perimeter of 57 radii
+  }
+}
+
+TEST(RimJoining, LeavesAWiderGap)
+{
+  for (const double width : {2.5, 3.0}) EXPECT_EQ(facts_of(noisy_square(beside_slit(width))).components, 2U) << width;
+}
+
+TEST(RimJoining, DoesNothingIfNoHoleIsToBeFilled)
+{
+  EXPECT_GE(facts_of(noisy_square(beside_slit(2)), 0).components, 2U);
+}
+
+TEST(RimJoining, LeavesParallelSheets)
+{
+  for (const double distance : {1.2, 2.0}) {
+    const Points sheets =
+        joined(noisy_square(everywhere), moved(noisy_square(everywhere, 2), 0, {0, 0, distance * radius}));
+    EXPECT_EQ(facts_of(sheets).components, 2U) << distance;
+  }
+}
+
+TEST(RimJoining, LeavesSheetsThatMeetAtAnAngle)
+{
+  const auto half = [](const Eigen::Vector3d& p) { return p.y() > 0; };
+  for (const double degrees : {60, 90, 160, 170}) {
+    const double angle = degrees * pi / 180;
+    const Points sheets = joined(noisy_square(half), moved(noisy_square(half, 2), angle, {0, -2 * radius, 0}));
+    EXPECT_EQ(facts_of(sheets).components, degrees > 135 ? 1U : 2U) << degrees;
+  }
+}
+
+TEST(RimJoining, LeavesTheSidesOfASlitThatAWallGoesThrough)
+{
+  const Points sheets = joined(noisy_square(beside_slit(2.2)), moved(noisy_square(everywhere, 2), pi / 2, {0, 0, 0}));
+  EXPECT_EQ(facts_of(sheets).components, 3U);
+}
+
+TEST(RimJoining, LeavesABallBesideAPlate)
+{
+  Points ball = sphere(count, 3);
+  Random random(4);
+  for (Eigen::Vector3d& p : ball) p = (0.5 + noise * random.normal()) * p + Eigen::Vector3d(1.5 + 1.5 * radius, 0, 0);
+  EXPECT_EQ(facts_of(joined(noisy_square(everywhere), ball)).components, 2U);
+}
+
+}  // namespace
+}  // namespace pds_test
