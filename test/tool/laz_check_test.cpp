@@ -109,6 +109,10 @@ TEST(LazCheck, counts_the_points_of_chunks_that_say_how_many_they_hold)
   file.points = 69;
   EXPECT_TRUE(check_laz(ByteSource(file.bytes())).has_data_after_last);
   file = layered_file();
+  for (const std::uint32_t wrong : {49U, 51U}) {
+    file.chunk_size = wrong;
+    EXPECT_COMPLAINT(file, "contradicts itself in the size of its chunks") << wrong;
+  }
   file.chunk_size = 0xFFFFFFFF;
   EXPECT_EQ(complaint_about(file.bytes()), "");
   for (const std::uint32_t wrong : {0U, 99U, 101U, 0xFFFFFFFFU}) {

@@ -61,7 +61,10 @@ void check_count(const LasHeader& header, std::uint32_t chunk_size, std::uint64_
 }
 
 /** The number of points that the chunks say they hold, each behind its first point. */
-std::uint64_t count_points(const ByteSource& source, const LazParts& parts, std::uint64_t chunks)
+std::uint64_t count_points(const ByteSource& source,
+                           const LazParts& parts,
+                           std::uint32_t chunk_size,
+                           std::uint64_t chunks)
 {
   const LasHeader& header = parts.header;
   const std::size_t layers = laszip_layers(header);
@@ -76,6 +79,9 @@ std::uint64_t count_points(const ByteSource& source, const LazParts& parts, std:
     source.read(place + header.record_bytes, head.data(), head_bytes);
     place += header.record_bytes + head_bytes;
     points += head.front();
+    if (chunk_size != variable_chunk_size && chunk + 1 < chunks && head.front() != chunk_size) {
+      throw_contradiction("the size of its chunks");
+    }
     for (std::size_t layer = 1; layer < head.size(); ++layer) {
       if (head[layer] > parts.table_at - place) {
         throw_contradiction("the size of its chunks");
@@ -107,7 +113,7 @@ LazParts check_laz(const ByteSource& source)
     check_count(header, record.chunk_size, chunks);
   }
   if (header.point_format >= first_layered_format) {
-    const std::uint64_t points = count_points(source, parts, chunks);
+    const std::uint64_t points = count_points(source, parts, record.chunk_size, chunks);
     if (header.count > points) {
       throw_truncated();
     }
