@@ -12,9 +12,8 @@ namespace
 constexpr std::size_t block = 4096;  // points per block
 constexpr double worth_while_share =
     1e-4;                             // of the points; fewer far ones do less harm than another neighbour search costs
-constexpr std::size_t few = 3;        // neighbours of an outlier, of which one at least is none
-constexpr float apart = 1.1F;         // a reach so many times that of the neighbours, and ...
-constexpr float off_plane = 0.45F;    // ... so much of it off their plane: half of their reach above it
+constexpr float off_plane = 0.1F;     // a point so much of its reach off the plane of its neighbours, ...
+constexpr float lone_height = 3.0F;   // ... and so many times as much as each of them, but one, off theirs
 constexpr float far_from_all = 4.0F;  // or a reach so many times the median of all points ...
 constexpr double shapeless = 0.25;    // ... in a neighbourhood this thick; an isotropic cloud has 0.58
 
@@ -31,7 +30,7 @@ float typical(const PointArray<Reach>& reach)
   return *middle;
 }
 
-/** \brief Tells outliers. Holds the working memory of one thread. */
+/** \brief Tells outliers. */
 class OutlierRule
 {
  public:
@@ -57,43 +56,31 @@ class OutlierRule
     return graph_.reach[i].squared > far2_ && spread_around(points_, graph_, i).plane().thickness > shapeless;
   }
 
-  /** \brief Off the surface by as little as noise or a sharp corner may be. */
-  bool is_near(std::size_t i)
+  /** \brief Squared distance of a point from the plane of its neighbours. */
+  [[nodiscard]] float squared_height(std::size_t i) const
   {
     const NeighborSpan row = graph_.nearest(i);
-    const float reach2 = graph_.reach[i].squared;
-    const float apart2 = reach2 / square(apart);
-    // The nearest neighbours alone tell of most points that they are none.
-    const std::uint32_t* const few_end = row.begin() + std::min<std::size_t>(few, row.size());
-    return (reach2 > far2_ ||
-            std::any_of(row.begin(), few_end, [&](std::uint32_t j) { return apart2 > graph_.reach[j].squared; })) &&
-           apart2 > reach2_around(row) && squared_distance_from_plane(i, row) > square(off_plane) * reach2;
-  }
-
- private:
-  /** \brief Median of the neighbours' squared reaches. */
-  float reach2_around(const NeighborSpan& row)
-  {
-    scratch_.clear();
-    for (const std::uint32_t j : row) scratch_.push_back(graph_.reach[j].squared);
-    const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
-    std::nth_element(scratch_.begin(), middle, scratch_.end());
-    return *middle;
-  }
-
-  /** \brief Of a point from the plane of its neighbours. */
-  [[nodiscard]] float squared_distance_from_plane(std::size_t i, const NeighborSpan& row) const
-  {
     SpreadSum sum(Spread{points_.position[*row.begin()]});
     for (const std::uint32_t* j = row.begin() + 1; j != row.end(); ++j) sum.add(Spread{points_.position[*j]});
     const Eigen::Vector3f& p = points_.position[i];
     return (sum.mean().plane().project(p) - p).squaredNorm();
   }
 
+  /** \brief Off the surface by as little as a sharp corner may be, but alone: a crease goes on to other points. */
+  [[nodiscard]] bool is_near(std::size_t i, const PointArray<float>& squared_height) const
+  {
+    const float height2 = squared_height[i];
+    if (height2 <= square(off_plane) * graph_.reach[i].squared) return false;
+    std::size_t as_high = 0;
+    for (const std::uint32_t j : graph_.nearest(i))
+      as_high += squared_height[j] * square(lone_height) > height2 ? 1 : 0;
+    return as_high <= 1;  // which may be another outlier
+  }
+
+ private:
   const OrderedPoints& points_;
   const NeighborGraph& graph_;
   float far2_;
-  std::vector<float> scratch_;
 };
 
 }  // namespace
@@ -121,10 +108,10 @@ std::vector<std::uint8_t> find_outliers(const OrderedPoints& points,
     return part;
   });
   if (!worth_while(far)) return {};
-  parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
-    OutlierRule own_rule = rule;  // with working memory of its own
-    for (std::size_t i = begin; i < end; ++i)
-      if (outlier[i] == 0) outlier[i] = own_rule.is_near(i) ? 1 : 0;
+  PointArray<float> squared_height(points.size());
+  parallel.each(points.size(), block, [&](std::size_t i) { squared_height[i] = rule.squared_height(i); });
+  parallel.each(points.size(), block, [&](std::size_t i) {
+    if (outlier[i] == 0) outlier[i] = rule.is_near(i, squared_height) ? 1 : 0;
   });
   return outlier;
 }

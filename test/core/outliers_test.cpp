@@ -71,6 +71,32 @@ TEST(Outliers, ThatAreFarFromTheSurfaceAreFoundAndOthersAreNot)
             static_cast<std::ptrdiff_t>(mesh.report.outliers));
 }
 
+/** Where they would be the first seeds. A crease stands off the planes of its neighbours as well, and stays. */
+TEST(Outliers, ThatAreNearTheSurfaceAreFoundAndCreasesAreNot)
+{
+  const Points points = with_scatter(cube(large_cloud), large_cloud / 20);
+  const double interval_of_cube = 2.0 / 3.0 * std::sqrt(15 * 24.0 / (pi * large_cloud));
+  const pds::Reconstruction mesh = reconstruct(points);
+  expect_closed(mesh, points, 0);
+  std::size_t lost = 0;
+  std::size_t near = 0;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool out = mesh.voronoi.label[i] == pds::no_label;
+    if (i < large_cloud) {
+      lost += out ? 1 : 0;
+      continue;
+    }
+    const double height = std::abs(points[i].cwiseAbs().maxCoeff() - 1) / interval_of_cube;
+    if (points[i].cwiseAbs().minCoeff() > 0.9 || height < 0.5 || height > 2) continue;
+    ++near;
+    left += out ? 0 : 1;
+  }
+  EXPECT_LE(lost, large_cloud / 10000);
+  EXPECT_GT(near, 50U);
+  EXPECT_LE(left, near / 10);
+}
+
 TEST(Outliers, DoNotChangeTheRadius)
 {
   const double alone = reconstruct(sphere(large_cloud)).report.radius;
