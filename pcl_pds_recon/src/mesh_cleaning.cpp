@@ -40,13 +40,14 @@ void remove_specks(TriangleComplex& complex, const SeedGeometry& seeds)
   std::size_t largest = 0;
   for (const auto& c : components) largest = std::max(largest, c.size());
   for (const auto& c : components) {
-    const bool speck = c.size() < speck_faces && c.size() * speck_share < largest;
-    if (speck || (c.size() * scatter_share < largest && is_scatter(complex, seeds, c)))
+    if (is_speck(c.size(), largest) || (c.size() * scatter_share < largest && is_scatter(complex, seeds, c)))
       for (const std::uint32_t f : c) complex.remove(f);
   }
 }
 
 }  // namespace
+
+bool is_speck(std::size_t faces, std::size_t largest) { return faces < speck_faces && faces * speck_share < largest; }
 
 void clean_mesh(TriangleComplex& complex, const SeedGeometry& seeds)
 {

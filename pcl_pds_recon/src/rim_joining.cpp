@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_pds_recon/mesh_cleaning.h>
 #include <pcl_pds_recon/rim_joining.h>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -73,11 +74,10 @@ class RimJoiner
             const FillLimits& limits)
       : complex_(complex), seeds_(seeds), bordering_(bordering), limits_(limits), part_of_(seeds.position.size())
   {
-    std::uint32_t part = 0;
     for (const std::vector<std::uint32_t>& faces : complex.components()) {
       for (const std::uint32_t f : faces)
-        for (const std::uint32_t v : complex.oriented(f)) part_of_[v] = part;
-      ++part;
+        for (const std::uint32_t v : complex.oriented(f)) part_of_[v] = static_cast<std::uint32_t>(parts_.size());
+      parts_.push_back({faces.size(), {}});
     }
   }
 
@@ -88,12 +88,22 @@ class RimJoiner
     for (const int least_shut : {0, 1, 2}) {
       tried_.assign(part_of_.size(), 0);
       for (const Chord& chord : chords)
-        if (least_shut_of(chord) == least_shut && join_along(chord, least_shut)) ++joints;
+        if (least_shut_of(chord) == least_shut && join_along(chord, least_shut)) {
+          ++joints;
+          if (least_shut == 0) hang_together(part_of_[chord.a], part_of_[chord.b]);
+        }
     }
+    drop_specks();
     return joints;
   }
 
  private:
+  /** \brief A component as it was before anything was joined. */
+  struct Part
+  {
+    std::size_t faces;
+    std::vector<std::uint32_t> joined;  ///< to these others, which form no ring
+  };
   using Neighbors = std::vector<std::uint32_t>;
 
   [[nodiscard]] double length(std::uint32_t a, std::uint32_t b) const
@@ -145,6 +155,34 @@ class RimJoiner
     seeds.visit_near((seeds_.position[a] + seeds_.position[b]) / 2, length(a, b) / 2,
                      [&](std::uint32_t s) { empty = empty && (s == a || s == b); });
     return empty;
+  }
+
+  void hang_together(std::uint32_t a, std::uint32_t b)
+  {
+    parts_[a].joined.push_back(b);
+    parts_[b].joined.push_back(a);
+  }
+
+  /** \brief Takes the specks out again by which nothing else hangs together, one after another. */
+  void drop_specks()
+  {
+    std::size_t largest = 0;
+    for (const Part& part : parts_) largest = std::max(largest, part.faces);
+    std::vector<std::uint8_t> dropped(parts_.size());
+    for (std::uint32_t start = 0; start < parts_.size(); ++start)
+      for (std::uint32_t p = start; parts_[p].joined.size() == 1 && is_speck(parts_[p].faces, largest);) {
+        dropped[p] = 1;
+        const std::uint32_t next = parts_[p].joined.front();
+        parts_[p].joined.clear();
+        Neighbors& others = parts_[next].joined;
+        others.erase(std::find(others.begin(), others.end(), p));
+        p = next;
+      }
+    for (const std::uint32_t f : complex_.faces()) {
+      const Triangle t = complex_.oriented(f);
+      if (std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return dropped[part_of_[v]] != 0; }))
+        complex_.remove(f);
+    }
   }
 
   /** \brief How many ends of a joint that begins with the chord have to be shut. */
@@ -240,6 +278,7 @@ class RimJoiner
   const SeedGeometry& seeds_;
   const BorderingCells& bordering_;
   const FillLimits& limits_;
+  std::vector<Part> parts_;
   std::vector<std::uint32_t> part_of_;  ///< by vertex with a face: its component before anything was joined
   std::vector<std::uint8_t> tried_;     ///< by vertex: it is in a joint that was given up
 };

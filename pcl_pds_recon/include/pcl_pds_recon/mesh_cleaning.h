@@ -7,6 +7,9 @@
 namespace pds
 {
 
+/** \brief True if a component of so many faces is too small to be kept beside one of so many as \a largest has. */
+[[nodiscard]] bool is_speck(std::size_t faces, std::size_t largest);
+
 /** \brief Removes what cannot stay: all but the largest fan at pinched vertices, and small components that are
  * no surface (specks of a few faces, scatter left by points that fill a volume). Afterwards every vertex has one fan.
  */
