@@ -1,0 +1,83 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reconstructs raw scans with their normals and without, and prints how many faces are on the side that the normals of
+the nearest scan points tell, and how many edges join a front to a back.
+
+Needs python3-numpy and python3-open3d (bench/peers/install.sh). docs/quality.md has the columns.
+"""
+import argparse
+import tempfile
+from pathlib import Path
+
+import numpy
+import open3d
+
+from trials import add_folders, are_there, reconstruct
+
+CASES = (("dragon", "dragon_stand_rawscans.ply", "dragon_vrip.ply"), ("bunny", "bunny_rawscans.ply", "bun_zipper.ply"))
+OPPOSED = -0.5  # cosine of 120 degrees
+
+
+def face_normals(mesh):
+    corners = numpy.asarray(mesh.vertices)[numpy.asarray(mesh.triangles)]
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lengths = numpy.linalg.norm(normals, axis=1)
+    normals[lengths > 0] /= lengths[lengths > 0, None]  # the reference has faces without area
+    return corners.mean(axis=1), normals
+
+
+def edges_of_two(triangles):
+    """Pairs of faces that an edge joins."""
+    faces_at = {}
+    for face, corners in enumerate(triangles):
+        for edge in range(3):
+            faces_at.setdefault(frozenset((corners[edge], corners[(edge + 1) % 3])), []).append(face)
+    return numpy.array([faces for faces in faces_at.values() if len(faces) == 2])
+
+
+def has_crease(tree, normals, place, radius):
+    """Whether the reference faces front and back within a radius: it has a crease there, or is thin."""
+    near = normals[tree.search_radius_vector_3d(place, radius)[1]]
+    return len(near) > 1 and (near @ near.T).min() < OPPOSED
+
+
+def judge(mesh_file, cloud, reference, radius):
+    mesh = open3d.io.read_triangle_mesh(str(mesh_file))
+    centers, normals = face_normals(mesh)
+    tree = open3d.geometry.KDTreeFlann(cloud)
+    nearest = [tree.search_knn_vector_3d(center, 1)[1][0] for center in centers]
+    scanned = numpy.asarray(cloud.normals)[nearest]
+    wrong = numpy.einsum("ij,ij->i", normals, scanned) <= 0
+    joined = edges_of_two(numpy.asarray(mesh.triangles))
+    opposed = joined[numpy.einsum("ij,ij->i", scanned[joined[:, 0]], scanned[joined[:, 1]]) < OPPOSED]
+
+    places, facing = face_normals(reference)
+    there = open3d.geometry.KDTreeFlann(open3d.geometry.PointCloud(open3d.utility.Vector3dVector(places)))
+    creased = sum(has_crease(there, facing, centers[pair].mean(axis=0), radius) for pair in opposed)
+    return len(normals), int(wrong.sum()), len(opposed), len(opposed) - creased
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_folders(parser)
+    parser.add_argument("--seeds", type=int, default=3, metavar="N", help="samplings of each (3)")
+    given = parser.parse_args()
+    print("| scans | normals | seed | faces | on their side | edges front to back | beyond creases |\n| --- "
+          + "| --- " * 6 + "|")
+    with tempfile.TemporaryDirectory(prefix="sides.") as scratch:
+        for key, cloud_name, reference_name in CASES:
+            if not are_there(key, (given.scans / cloud_name, given.scans / reference_name)):
+                continue
+            cloud = open3d.io.read_point_cloud(str(given.scans / cloud_name))
+            reference = open3d.io.read_triangle_mesh(str(given.scans / reference_name))
+            bare, mesh = Path(scratch) / "bare.ply", Path(scratch) / "mesh.ply"
+            open3d.io.write_point_cloud(str(bare), open3d.geometry.PointCloud(cloud.points))
+            for kind, scans in (("used", given.scans / cloud_name), ("none", bare)):
+                for seed in range(given.seeds):
+                    report = reconstruct(given.build, ("--seed", str(seed)), scans, mesh)
+                    faces, wrong, opposed, left = judge(mesh, cloud, reference, report["radius"])
+                    print(f"| {key} | {kind} | {seed} | {faces} | {1 - wrong / faces:.3%} | {opposed} | {left} |",
+                          flush=True)
+
+
+main()
