@@ -116,5 +116,24 @@ TEST(RimJoining, LeavesABallBesideAPlate)
   EXPECT_EQ(facts_of(joined(noisy_square(everywhere), ball)).components, 2U);
 }
 
+/** An island of a few cells, one and a half radii off the rim of a plate or between two of them. */
+TEST(RimJoining, KeepsASpeckOnlyIfSomethingHangsTogetherByIt)
+{
+  for (const bool bridge : {false, true}) {
+    const Points points = noisy_square([bridge](const Eigen::Vector3d& p) {
+      const double y = p.y() / radius - 8;
+      return y < 0 || (bridge && y > 6) || (y > 1.5 && y < 4.5 && std::abs(p.x()) < 1.2 * radius);
+    });
+    pds::Options options;
+    options.radius = radius;
+    const pds::Reconstruction mesh = reconstruct(points, options);
+    EXPECT_EQ(expect_sound(mesh, points).components, 1U) << bridge;
+    const Points vertices = vertex_positions(mesh, points);
+    EXPECT_EQ(bridge, std::any_of(vertices.begin(), vertices.end(), [](const Eigen::Vector3d& p) {
+                return p.y() > 9.5 * radius && p.y() < 12.5 * radius;
+              }));
+  }
+}
+
 }  // namespace
 }  // namespace pds_test
