@@ -67,8 +67,8 @@ Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& opt
     join_neighbors(found.points, searched, found.graph, parallel);
   };
   const bool absolute = radius_is_absolute(options);
-  found.points = order_points(cloud, parallel);
-  if (absolute) thin(options.radius / found.points.unit);
+  found.points =
+      absolute ? order_and_thin_points(cloud, options.radius / fineness, parallel) : order_points(cloud, parallel);
   join();
   // Without their company, more outliers stand alone.
   for (int round = 0; round < most_sortings; ++round) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include "parallel_parts.h"
 #include "radix_sort.h"
 
@@ -12,10 +14,8 @@ namespace pds
 namespace
 {
 
-constexpr std::size_t block = 16384;      // points per block
-constexpr int most_axis_bits = 21;        // of a voxel's number along an axis; three fit a 64-bit key
-constexpr double least_gain = 2.0;        // points per voxel; thinning by less does not pay
-constexpr std::size_t least_left = 1000;  // points; fewer say nothing about a surface, however large the radius
+constexpr std::size_t block = 16384;  // points per block
+constexpr int most_axis_bits = 21;    // of a voxel's number along an axis; three fit a 64-bit key
 
 // Before all points of a large cloud are grouped, some stretches of it tell what that would gain: somewhat too little,
 // for they have but a part of the points of the voxels at their ends.
@@ -145,22 +145,40 @@ PointArray<std::uint32_t> choose_representatives(const OrderedPoints& points,
   return representative;
 }
 
+/** \brief For each block of points, how many representatives come before it; behind the last one, their number. */
+std::vector<std::size_t> representatives_before_blocks(const PointArray<std::uint32_t>& representative,
+                                                       const Parallel& parallel)
+{
+  std::vector<std::size_t> before((representative.size() + block - 1) / block + 1);
+  parallel.blocks(representative.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count += representative[i] == i ? 1U : 0U;
+    before[begin / block + 1] = count;
+  });
+  std::partial_sum(before.begin(), before.end(), before.begin());
+  return before;
+}
+
 /** \brief The points that represent themselves, and all that the others are represented by. */
 OrderedPoints keep_representatives(OrderedPoints points,
                                    const PointArray<std::uint32_t>& representative,
-                                   std::size_t kept,
                                    const Parallel& parallel)
 {
+  const std::vector<std::size_t> before = representatives_before_blocks(representative, parallel);
   PointArray<std::uint32_t> new_rank(points.size());
   OrderedPoints left;
-  left.position.reserve(kept);
-  left.input_index.reserve(kept);
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (representative[i] != i) continue;
-    new_rank[i] = static_cast<std::uint32_t>(left.position.size());
-    left.position.push_back(points.position[i]);
-    left.input_index.push_back(points.input_index[i]);
-  }
+  left.position.resize(before.back());
+  left.input_index.resize(before.back());
+  parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
+    std::size_t next = before[begin / block];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (representative[i] != i) continue;
+      new_rank[i] = static_cast<std::uint32_t>(next);
+      left.position[next] = points.position[i];
+      left.input_index[next] = points.input_index[i];
+      ++next;
+    }
+  });
   left.rank_of_input = std::move(points.rank_of_input);
   parallel.each(left.rank_of_input.size(), block, [&](std::size_t i) {
     std::uint32_t& rank = left.rank_of_input[i];
@@ -180,15 +198,14 @@ OrderedPoints keep_representatives(OrderedPoints points,
 
 OrderedPoints thin_points(OrderedPoints points, double voxel_side, const Parallel& parallel)
 {
-  const auto n = static_cast<double>(points.size());
-  for (double side = voxel_side; points.size() >= 2 * least_left; side /= 2) {
+  for (double side = voxel_side; points.size() >= fewest_points_to_thin; side /= 2) {
     const VoxelGrid grid(side);
     if (!grid.usable() || !may_pay(points, grid, parallel)) break;
     const VoxelRuns voxels = group_by_voxel(find_runs(points, grid, parallel), grid, parallel);
-    if (n < least_gain * static_cast<double>(voxels.voxels())) break;
-    if (voxels.voxels() < least_left) continue;
+    if (!thinning_pays(points.size(), voxels.voxels())) break;
+    if (voxels.voxels() < fewest_points_left) continue;
     const PointArray<std::uint32_t> representative = choose_representatives(points, voxels, parallel);
-    return keep_representatives(std::move(points), representative, voxels.voxels(), parallel);
+    return keep_representatives(std::move(points), representative, parallel);
   }
   return points;
 }

@@ -13,6 +13,13 @@ constexpr double voxels_per_radius = 3.75;
 /** \brief The same in the adaptive metric, where the smallest disks are much smaller than the mean one. */
 constexpr double voxels_per_adaptive_radius = 5.6;
 
+/** \brief Fewer points say nothing about a surface, however large the radius. */
+constexpr std::size_t fewest_points_left = 1000;
+constexpr std::size_t fewest_points_to_thin = 2 * fewest_points_left;
+
+/** \brief True if it is worth while to keep so many of the points: half of them at most. */
+constexpr bool thinning_pays(std::size_t points, std::size_t kept) { return points >= 2 * kept; }
+
 /** \brief Leaves out points that disks of this size do not need.
  *
  * Space is cut into voxels; of the points in one, the nearest to their mean stays, which is in the middle of the noise,
@@ -24,5 +31,13 @@ constexpr double voxels_per_adaptive_radius = 5.6;
  * \return the points that are left, in their order
  */
 [[nodiscard]] OrderedPoints thin_points(OrderedPoints points, double voxel_side, const Parallel& parallel);
+
+/** \brief order_points() and thin_points() at once, for less than the former takes: points within a voxel need no
+ * order. The voxels are others, for they begin at a corner of the cloud's box. \param voxel_side in units of the input
+ * \throws InvalidInput as order_points()
+ */
+[[nodiscard]] OrderedPoints order_and_thin_points(const PointCloudView& cloud,
+                                                  double voxel_side,
+                                                  const Parallel& parallel);
 
 }  // namespace pds
