@@ -33,7 +33,7 @@ bool ParallelPlanes::overlap() const
 
 bool ParallelPlanes::spread_both(const std::vector<Eigen::Vector3f>& points) const
 {
-  constexpr float line = 0.12F;  // the lesser variance over the greater
+  constexpr float strip = 1.0F / 9;  // the lesser variance over the greater if it is three times as long as wide
   std::array<Eigen::Matrix3f, 2> sum{Eigen::Matrix3f::Zero(), Eigen::Matrix3f::Zero()};
   for (std::size_t p = 0; p < points.size(); ++p) {
     Eigen::Vector3f d = points[p] - mean_[side_[p]];
@@ -43,7 +43,7 @@ bool ParallelPlanes::spread_both(const std::vector<Eigen::Vector3f>& points) con
   return std::all_of(sum.begin(), sum.end(), [](const Eigen::Matrix3f& m) {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
     solver.computeDirect(m, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues()[1] > line * solver.eigenvalues()[2];
+    return solver.eigenvalues()[1] > strip * solver.eigenvalues()[2];
   });
 }
 

@@ -13,18 +13,19 @@ namespace
 constexpr float narrowest_gap = 0.5F;    // sheets 0.6 intervals apart
 constexpr float narrowest_layer = 0.2F;  // a first look, along a normal that may be tilted
 
-// Noise of 0.3 intervals on sheets 2 apart gives 0.15; a band of noise, cut in half, 0.3 or more.
+// Deviation from the planes over the gap. Noise of 0.3 intervals on sheets 2 apart gives 0.15; a band of noise, cut in
+// half, 0.29 if it is even, 0.38 if it is normal.
 constexpr float widest_blur = 0.2F;
 
 // If a few points of a wall are off planes that most points lie in, the deviation is greater than most points show.
 constexpr float noise_factor = 2.5F;
 constexpr float least_blur = 0.05F;
-constexpr std::size_t fewest = 6;  // points of a sheet
+constexpr std::size_t fewest = 6;  // points of a sheet; with fewer, chance puts them into a strip: the edges of a cube
 
 // Between the sheets there are no points but at a rim, where a third one joins them.
 constexpr float widest_clear = 0.5F;         // half gaps
-constexpr float clear_per_deviation = 6.0F;  // less by so many deviations of the noise over the gap
-constexpr std::size_t stray_share = 25;      // one point in so many may be there
+constexpr float clear_per_deviation = 6.0F;  // noise reaches three deviations far; those are measured in whole gaps
+constexpr std::size_t stray_share = 25;      // one point in so many may be there; noise brings one in 700
 
 }  // namespace
 
@@ -139,6 +140,7 @@ void SheetRule::describe(std::uint32_t point, float reach, Sheet& sheet)
   sheet.middle = -std::abs(planes_.middle()) * reach;
   sheet.half_gap = 0.5F * planes_.gap() * reach;
   sheet.clear = clear_ * sheet.half_gap;
+  sheet.strays = clear_ < widest_clear ? 1 : 0;  // noise that reaches there brings one in 700 points; two are a wall
   nearest_.clear();
   for (std::size_t p = 0; p < rank_.size(); ++p) {
     const bool is_upper = planes_.normal().dot(around_[p]) > planes_.middle();

@@ -52,13 +52,19 @@ Sheets choose_sheets(std::vector<std::vector<Sheet>> of_block,
     for (Sheet& sheet : part) found.add(std::move(sheet));
   Sheets chosen(points, graph);
   for (const Sheet& sheet : found.all()) {
-    std::size_t thick = 0;
+    std::size_t witnesses = 0;
     std::size_t agreeing = 0;
+    // Noise makes also those thick that are all on one sheet.
+    const auto is_witness = [&](std::uint32_t j) {
+      return surface.curvature[j] > SheetRule::thick && (sheet.strays == 0 || found.reaches_across(sheet, j));
+    };
     for (const std::uint32_t j : graph.nearest(sheet.point)) {
-      thick += surface.curvature[j] > SheetRule::thick ? 1 : 0;
+      witnesses += is_witness(j) ? 1 : 0;
       agreeing += found.of(j) != nullptr ? 1 : 0;
     }
-    if (agreeing * least_share >= thick) chosen.add(sheet);
+    // Few witnesses are none: at a sharp edge a handful of points may look like noisy sheets.
+    const std::size_t fewest = sheet.strays == 0 ? 0 : graph.nearest(sheet.point).size() / least_share;
+    if (agreeing * least_share >= witnesses && agreeing >= fewest) chosen.add(sheet);
   }
   return chosen;
 }

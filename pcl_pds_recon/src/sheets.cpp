@@ -41,18 +41,38 @@ void Sheets::spread()
 
 void Sheets::adopt(const Offer& offer)
 {
-  constexpr float off_sheet = 0.5F;  // half gaps
   const Sheet& from = sheets_[offer.sheet];
   const float over = height(from, offer.point);
-  if (std::abs(std::abs(over) - from.half_gap) > off_sheet * from.half_gap) return;
-  Sheet sheet{offer.point,     over > 0 ? from.normal : Eigen::Vector3f(-from.normal),
-              -std::abs(over), from.half_gap,
-              from.clear,      {}};
+  Sheet sheet{offer.point,
+              over > 0 ? from.normal : Eigen::Vector3f(-from.normal),
+              -std::abs(over),
+              from.half_gap,
+              from.clear,
+              from.strays,
+              {}};
   const NeighborSpan row = graph_.nearest(offer.point);
   const auto is_across = [&](std::uint32_t j) { return height(sheet, j) < 0; };
   const auto is_between = [&](std::uint32_t j) { return std::abs(height(sheet, j)) < sheet.clear; };
-  if (std::any_of(row.begin(), row.end(), is_across) && std::none_of(row.begin(), row.end(), is_between))
+  const bool is_off = std::abs(std::abs(over) - from.half_gap) > from.half_gap - from.clear;
+  const auto strays = std::count_if(row.begin(), row.end(), is_between) + (is_off ? 1 : 0);
+  if (strays <= (is_surrounded(offer.point) ? from.strays : 0) && std::any_of(row.begin(), row.end(), is_across))
     add(std::move(sheet));
+}
+
+/** \brief True if most of a point's neighbours have a second sheet: it is in the midst of them, and not at a rim. */
+bool Sheets::is_surrounded(std::uint32_t point) const
+{
+  constexpr double most = 0.75;
+  const NeighborSpan row = graph_.nearest(point);
+  const auto parted = std::count_if(row.begin(), row.end(), [&](std::uint32_t j) { return has_sheet_[j] != 0; });
+  return static_cast<double>(parted) > most * static_cast<double>(row.size());
+}
+
+bool Sheets::reaches_across(const Sheet& sheet, std::uint32_t point) const
+{
+  const bool side = height(sheet, point) < 0;
+  const NeighborSpan row = graph_.nearest(point);
+  return std::any_of(row.begin(), row.end(), [&](std::uint32_t j) { return (height(sheet, j) < 0) != side; });
 }
 
 bool Sheets::are_near(std::uint32_t point) const
@@ -69,9 +89,10 @@ std::vector<std::uint32_t> Sheets::own_row(std::uint32_t point) const
   const NeighborSpan listed = graph_.nearest(point);
   std::vector<std::uint32_t> row(listed.begin(), listed.end());
   if (own != nullptr && !own->row.empty()) row = own->row;
-  row.erase(
-      std::remove_if(row.begin(), row.end(), [&](std::uint32_t j) { return excludes(point, j) || excludes(j, point); }),
-      row.end());
+  row.erase(std::remove_if(row.begin(), row.end(), [&](std::uint32_t j) { return excludes(point, j); }), row.end());
+  // Noise may carry a point into the middle, where many of its neighbours put it on the other side. It has its way.
+  const auto end = std::stable_partition(row.begin(), row.end(), [&](std::uint32_t j) { return !excludes(j, point); });
+  if (end - row.begin() >= row.end() - end) row.erase(end, row.end());
   return row;
 }
 

@@ -19,7 +19,8 @@ struct Sheet
   Eigen::Vector3f normal;          ///< unit, towards the own sheet
   float middle;                    ///< height of the plane, midway between the sheets, over the point: negative
   float half_gap;                  ///< between the sheets
-  float clear;                     ///< no neighbour is so near to the plane
+  float clear;                     ///< between the sheets: so near to the plane there are no points but for ...
+  std::ptrdiff_t strays;           ///< ... so many around a point, which noise brings there
   std::vector<std::uint32_t> row;  ///< nearest points of the own sheet, nearest first; empty: those there are
 };
 
@@ -35,8 +36,11 @@ class Sheets
   void add(Sheet sheet);
 
   /** \brief Adds the neighbours of points that have a second sheet, if they lie on one of the two, see points of the
-   * other, and none in between: chance hides a gap from single points. */
+   * other, and none in between but strays: chance hides a gap from single points. */
   void spread();
+
+  /** \brief True if a point and some of its neighbours are on different sides of the plane between the sheets. */
+  [[nodiscard]] bool reaches_across(const Sheet& sheet, std::uint32_t point) const;
 
   /** \brief True if a point or one of its neighbours has a second sheet. */
   [[nodiscard]] bool are_near(std::uint32_t point) const;
@@ -57,6 +61,7 @@ class Sheets
   [[nodiscard]] float height(const Sheet& sheet, std::uint32_t point) const;
   [[nodiscard]] bool excludes(std::uint32_t point, std::uint32_t other) const;
   void adopt(const Offer& offer);
+  [[nodiscard]] bool is_surrounded(std::uint32_t point) const;
 
   const OrderedPoints& points_;
   const NeighborGraph& graph_;
