@@ -40,31 +40,62 @@ std::vector<Sheet> find_sheets(const SurfaceEstimate& surface, std::size_t begin
   return found;
 }
 
-/** \brief Sheets that most of the thick neighbourhoods around agree on: chance may show one to a single point. */
+/** \brief How sure it is that a point has a second sheet, by what its neighbours find. */
+enum class Agreement
+{
+  none,
+  some,
+  certain
+};
+
+Agreement agreement_on(const Sheet& sheet,
+                       const Sheets& found,
+                       const NeighborGraph& graph,
+                       const SurfaceEstimate& surface)
+{
+  constexpr std::size_t least_share = 3;  // one in so many
+  // Noise makes also those thick that are all on one sheet.
+  const auto is_witness = [&](std::uint32_t j) {
+    return surface.curvature[j] > SheetRule::thick && (sheet.strays == 0 || found.reaches_across(sheet, j));
+  };
+  std::size_t witnesses = 0;
+  std::size_t agreeing = 0;
+  const NeighborSpan row = graph.nearest(sheet.point);
+  for (const std::uint32_t j : row) {
+    witnesses += is_witness(j) ? 1 : 0;
+    agreeing += found.of(j) != nullptr ? 1 : 0;
+  }
+  if (agreeing * least_share < witnesses) return Agreement::none;
+  // Few witnesses are none: at a sharp edge a handful of points may look like noisy sheets.
+  if (sheet.strays == 0 || agreeing * least_share >= row.size()) return Agreement::certain;
+  return agreeing * least_share > witnesses ? Agreement::some : Agreement::none;
+}
+
+/** \brief Sheets that the neighbours agree on, for chance may show one to a single point. Noisy ones begin where it is
+ * certain, and go on to where there is some agreement. */
 Sheets choose_sheets(std::vector<std::vector<Sheet>> of_block,
                      const OrderedPoints& points,
                      const NeighborGraph& graph,
                      const SurfaceEstimate& surface)
 {
-  constexpr std::size_t least_share = 3;  // one in so many
   Sheets found(points, graph);
   for (std::vector<Sheet>& part : of_block)
     for (Sheet& sheet : part) found.add(std::move(sheet));
   Sheets chosen(points, graph);
-  for (const Sheet& sheet : found.all()) {
-    std::size_t witnesses = 0;
-    std::size_t agreeing = 0;
-    // Noise makes also those thick that are all on one sheet.
-    const auto is_witness = [&](std::uint32_t j) {
-      return surface.curvature[j] > SheetRule::thick && (sheet.strays == 0 || found.reaches_across(sheet, j));
-    };
-    for (const std::uint32_t j : graph.nearest(sheet.point)) {
-      witnesses += is_witness(j) ? 1 : 0;
-      agreeing += found.of(j) != nullptr ? 1 : 0;
-    }
-    // Few witnesses are none: at a sharp edge a handful of points may look like noisy sheets.
-    const std::size_t fewest = sheet.strays == 0 ? 0 : graph.nearest(sheet.point).size() / least_share;
-    if (agreeing * least_share >= witnesses && agreeing >= fewest) chosen.add(sheet);
+  std::vector<std::uint32_t> reached;
+  const auto choose = [&](const Sheet& sheet) {
+    if (chosen.of(sheet.point) != nullptr) return;
+    chosen.add(sheet);
+    reached.push_back(sheet.point);
+  };
+  for (const Sheet& sheet : found.all())
+    if (agreement_on(sheet, found, graph, surface) == Agreement::certain) choose(sheet);
+  while (!reached.empty()) {
+    const std::uint32_t point = reached.back();
+    reached.pop_back();
+    for (const std::uint32_t j : graph.nearest(point))
+      if (const Sheet* next = found.of(j); next != nullptr)
+        if (agreement_on(*next, found, graph, surface) != Agreement::none) choose(*next);
   }
   return chosen;
 }
