@@ -60,6 +60,7 @@ class OutlierRule
   [[nodiscard]] float squared_height(std::size_t i) const
   {
     const NeighborSpan row = graph_.nearest(i);
+    if (row.size() == 0) return 0;  // a caller's search may find none
     SpreadSum sum(Spread{points_.position[*row.begin()]});
     for (const std::uint32_t* j = row.begin() + 1; j != row.end(); ++j) sum.add(Spread{points_.position[*j]});
     const Eigen::Vector3f& p = points_.position[i];

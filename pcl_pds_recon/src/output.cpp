@@ -141,7 +141,7 @@ void describe_points(const PointCloudView& cloud,
     if (rank == no_rank) return;
     const NearestSeeds& nearest = sampling.nearest[rank];
     Label label{nearest.seed[0], nearest.distance[0]};
-    if (beside) {  // which leaves the label of a representative as it is
+    if (beside && points.input_index[rank] != i) {
       const Eigen::Vector3f position = ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
       label = beside->label(position, points.position[rank], nearest);
     }

@@ -17,24 +17,31 @@ namespace pds
 class PointGrid
 {
  public:
-  /** \param side of a cell, in units of position; 2^-19 at least is used
-   * \param points ranks, ascending */
-  PointGrid(const PointArray<Eigen::Vector3f>& position, const std::vector<std::uint32_t>& points, double side)
-      : cells_per_unit_(1 / std::max(side, std::ldexp(1.0, 2 - axis_bits)))
+  /** \param position places, all within a cube
+   * \param points their numbers, ascending
+   * \param side of a cell; 2^-19 of the cube's at least is used
+   * \param low corner of the cube, \a extent its side: those of the positions of ordered points */
+  template <typename Positions>
+  PointGrid(const Positions& position,
+            const std::vector<std::uint32_t>& points,
+            double side,
+            const Eigen::Vector3d& low = Eigen::Vector3d::Constant(-0.5),
+            double extent = 1)
+      : low_(low), cells_per_unit_(1 / std::max(side, std::ldexp(extent, 2 - axis_bits)))
   {
     entries_.reserve(points.size());
     for (const std::uint32_t p : points) {
-      const Cell c = cell_of(position[p]);
+      const Cell c = cell_of(position[p].template cast<double>());
       entries_.emplace_back(key_of(c.x, c.y, c.z), p);
     }
     std::sort(entries_.begin(), entries_.end());
   }
 
   /** \brief Calls visit(point) for all points in the cell of \a place and those around it, always in the same order. */
-  template <typename Visit>
-  void visit_near(const Eigen::Vector3f& place, const Visit& visit) const
+  template <typename Place, typename Visit>
+  void visit_near(const Place& place, const Visit& visit) const
   {
-    const Cell c = cell_of(place);
+    const Cell c = cell_of(place.template cast<double>());
     for (std::uint64_t x = c.x - 1; x <= c.x + 1; ++x)
       for (std::uint64_t y = c.y - 1; y <= c.y + 1; ++y) {
         const std::uint64_t last = key_of(x, y, c.z + 1);
@@ -55,13 +62,16 @@ class PointGrid
   {
     return (x << axis_bits | y) << axis_bits | z;
   }
-  /** \brief From 1 on, so that there is a cell before each: positions are within -0.5 ... 0.5. */
-  [[nodiscard]] std::uint64_t along(float coordinate) const
+  /** \brief From 1 on, so that there is a cell before each. */
+  [[nodiscard]] Cell cell_of(const Eigen::Vector3d& p) const
   {
-    return static_cast<std::uint64_t>(std::max((static_cast<double>(coordinate) + 0.5) * cells_per_unit_, 0.0)) + 1;
+    const auto along = [&](int axis) {
+      return static_cast<std::uint64_t>(std::max((p[axis] - low_[axis]) * cells_per_unit_, 0.0)) + 1;
+    };
+    return {along(0), along(1), along(2)};
   }
-  [[nodiscard]] Cell cell_of(const Eigen::Vector3f& p) const { return {along(p.x()), along(p.y()), along(p.z())}; }
 
+  Eigen::Vector3d low_;
   double cells_per_unit_;
   std::vector<Entry> entries_;
 };

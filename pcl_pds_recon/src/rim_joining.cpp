@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+#include "point_grid.h"
 #include "polygon_triangulation.h"
 
 namespace pds
@@ -38,31 +39,36 @@ struct Chord
 
 bool operator<(const Chord& x, const Chord& y) { return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b); }
 
-/** \brief Seeds in the order of their x. */
-class SeedSweep
+/** \brief Seeds, for visits to all that are near some place. */
+class SeedGrid
 {
  public:
-  SeedSweep(const std::vector<Vector3d>& position, std::vector<std::uint32_t> seeds)
-      : position_(position), seeds_(std::move(seeds))
+  SeedGrid(const std::vector<Vector3d>& position, const std::vector<std::uint32_t>& seeds)
+      : position_(position), box_(box_of(position)), grid_(position, seeds, longest_chord, box_.min(), extent(box_))
   {
-    std::sort(seeds_.begin(), seeds_.end(), [&](std::uint32_t s, std::uint32_t t) {
-      return std::make_pair(position[s].x(), s) < std::make_pair(position[t].x(), t);
-    });
   }
 
-  /** \brief Calls visit() for all of the seeds nearer to \a place than \a reach. */
+  /** \brief Calls visit() for all of the seeds nearer to \a place than \a reach, at most longest_chord. */
   template <typename Visit>
   void visit_near(const Vector3d& place, double reach, const Visit& visit) const
   {
-    auto seed = std::lower_bound(seeds_.begin(), seeds_.end(), place.x() - reach,
-                                 [&](std::uint32_t s, double x) { return position_[s].x() < x; });
-    for (; seed != seeds_.end() && position_[*seed].x() <= place.x() + reach; ++seed)
-      if ((position_[*seed] - place).squaredNorm() < reach * reach) visit(*seed);
+    grid_.visit_near(place, [&](std::uint32_t seed) {
+      if ((position_[seed] - place).squaredNorm() < reach * reach) visit(seed);
+    });
   }
 
  private:
+  static Eigen::AlignedBox3d box_of(const std::vector<Vector3d>& position)
+  {
+    Eigen::AlignedBox3d box(Vector3d::Zero());
+    for (const Vector3d& p : position) box.extend(p);
+    return box;
+  }
+  static double extent(const Eigen::AlignedBox3d& box) { return box.sizes().maxCoeff(); }
+
   const std::vector<Vector3d>& position_;
-  std::vector<std::uint32_t> seeds_;
+  Eigen::AlignedBox3d box_;
+  PointGrid grid_;
 };
 
 class RimJoiner
@@ -130,9 +136,9 @@ class RimJoiner
     std::vector<std::uint32_t> rim;
     std::copy_if(all.begin(), all.end(), std::back_inserter(rim),
                  [this](std::uint32_t v) { return !rim_neighbors(v).empty(); });
-    const SeedSweep seeds(seeds_.position, std::move(all));
+    const SeedGrid seeds(seeds_.position, all);
     std::vector<Chord> chords;
-    const SeedSweep on_rim(seeds_.position, rim);
+    const SeedGrid on_rim(seeds_.position, rim);
     for (const std::uint32_t a : rim)
       on_rim.visit_near(seeds_.position[a], longest_chord, [&](std::uint32_t b) {
         if (a < b && !complex_.has_edge(a, b) && (bordering_(a, b) || is_narrow(a, b, seeds)))
@@ -145,7 +151,7 @@ class RimJoiner
   /** \brief And no other seed is nearer to the middle of the chord than its ends: it would be of something between. Nor
    * does the chord lead from one sheet to another above it: where the surface bends, the steps off the planes of its
    * two ends cancel out. */
-  [[nodiscard]] bool is_narrow(std::uint32_t a, std::uint32_t b, const SeedSweep& seeds) const
+  [[nodiscard]] bool is_narrow(std::uint32_t a, std::uint32_t b, const SeedGrid& seeds) const
   {
     if (length(a, b) >= narrow) return false;
     const Vector3d across = seeds_.position[b] - seeds_.position[a];

@@ -94,7 +94,7 @@ Sheets choose_sheets(std::vector<std::vector<Sheet>> of_block,
     const std::uint32_t point = reached.back();
     reached.pop_back();
     for (const std::uint32_t j : graph.nearest(point))
-      if (const Sheet* next = found.of(j); next != nullptr)
+      if (const Sheet* next = found.of(j); next != nullptr && chosen.of(j) == nullptr)
         if (agreement_on(*next, found, graph, surface) != Agreement::none) choose(*next);
   }
   return chosen;
@@ -128,7 +128,7 @@ std::size_t separate_sheets(const PointCloudView& cloud,
     if (row.size() < fewest_left) return;
     std::copy(row.begin(), row.end(), graph.own.begin() + static_cast<std::ptrdiff_t>(at * graph.stride));
     graph.own_count[at] = static_cast<std::uint16_t>(row.size());
-    graph.reach[at].rank = Reach::parted;
+    graph.reach[at] = {(points.position[at] - points.position[row.back()]).squaredNorm(), Reach::parted};
     fit_planes(set, points, graph, at, at + 1, surface);
   });
   return sheets.all().size();

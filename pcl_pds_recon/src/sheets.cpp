@@ -91,8 +91,10 @@ std::vector<std::uint32_t> Sheets::own_row(std::uint32_t point) const
   if (own != nullptr && !own->row.empty()) row = own->row;
   row.erase(std::remove_if(row.begin(), row.end(), [&](std::uint32_t j) { return excludes(point, j); }), row.end());
   // Noise may carry a point into the middle, where many of its neighbours put it on the other side. It has its way.
-  const auto end = std::stable_partition(row.begin(), row.end(), [&](std::uint32_t j) { return !excludes(j, point); });
-  if (end - row.begin() >= row.end() - end) row.erase(end, row.end());
+  const auto is_disowned_by = [&](std::uint32_t j) { return excludes(j, point); };
+  const auto disowning = std::count_if(row.begin(), row.end(), is_disowned_by);
+  if (2 * disowning <= row.end() - row.begin())
+    row.erase(std::remove_if(row.begin(), row.end(), is_disowned_by), row.end());
   return row;
 }
 

@@ -43,9 +43,14 @@ class VoxelPoints
     points_ = begin;
     position_.clear();
     for (const KeyedPoint* point = begin; point != end; ++point) position_.push_back(cloud.position(point->index));
+    places_ = position_;
+    std::sort(places_.begin(), places_.end(), [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
   }
 
-  /** \brief The one nearest to their mean. */
+  /** \brief The one nearest to the mean of their places. */
   [[nodiscard]] std::size_t middle(const FramedCloud& cloud) const
   {
     const Eigen::Vector3f mean = this->mean();
@@ -61,16 +66,8 @@ class VoxelPoints
   }
 
   [[nodiscard]] const Eigen::Vector3f& operator[](std::size_t i) const { return position_[i]; }
-
-  /** \brief How many have the same place as another one; spoils the positions. */
-  [[nodiscard]] std::size_t take_coincident()
-  {
-    const auto before = [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    };
-    std::sort(position_.begin(), position_.end(), before);
-    return static_cast<std::size_t>(position_.end() - std::unique(position_.begin(), position_.end()));
-  }
+  /** \brief How many are in the place of another one. */
+  [[nodiscard]] std::size_t coincident() const { return position_.size() - places_.size(); }
 
  private:
   /** \brief Added up in whole numbers, for these do not depend on the order: 2^32 of them fit. */
@@ -78,12 +75,13 @@ class VoxelPoints
   {
     constexpr double steps_per_unit = 0x1p31;
     Eigen::Array<std::int64_t, 3, 1> sum = Eigen::Array<std::int64_t, 3, 1>::Zero();
-    for (const Eigen::Vector3f& p : position_) sum += (p.cast<double>() * steps_per_unit).array().cast<std::int64_t>();
-    return (sum.cast<double>() / (steps_per_unit * static_cast<double>(position_.size()))).cast<float>();
+    for (const Eigen::Vector3f& p : places_) sum += (p.cast<double>() * steps_per_unit).array().cast<std::int64_t>();
+    return (sum.cast<double>() / (steps_per_unit * static_cast<double>(places_.size()))).cast<float>();
   }
 
   const KeyedPoint* points_ = nullptr;
   std::vector<Eigen::Vector3f> position_;
+  std::vector<Eigen::Vector3f> places_;  ///< the distinct ones
 };
 
 /** \brief Gives places to the points in the middle of the voxels, and to the others those of the former. */
@@ -109,7 +107,7 @@ void assign_ranks_of_voxels(const FramedCloud& cloud,
       const std::size_t middle = inside.middle(cloud);
       points.position[voxel] = inside[middle];
       points.input_index[voxel] = sorted[begins[voxel] + middle].index;
-      coincident += inside.take_coincident();
+      coincident += inside.coincident();
     }
     return coincident;
   });
@@ -147,16 +145,16 @@ OrderedPoints order_and_thin_points(const PointCloudView& cloud, double voxel_si
       std::swap(sorted, other);
     const PointArray<std::uint32_t> begins = begins_of_voxels(sorted, keyed.size(), bits.first, parallel);
     const std::size_t voxels = begins.size() - 1;
-    if (!thinning_pays(keyed.size(), voxels) || bits_within == 0) {
-      CurveSort(framed).sort_runs(sorted, other, keyed.size(), bits.first, parallel);
-      assign_ranks(framed, sorted, points, parallel);
-      return points;
-    }
-    if (voxels >= fewest_points_left) {
-      assign_ranks_of_voxels(framed, sorted, begins, points, parallel);
-      return points;
-    }
+    if (!thinning_pays(keyed.size(), voxels) || bits_within == 0) break;
+    if (voxels < fewest_points_left) continue;
+    assign_ranks_of_voxels(framed, sorted, begins, points, parallel);
+    if (thinning_pays(points.valid_points - points.merged_points, voxels)) return points;
+    break;  // there only seemed to be enough points in a voxel, for some coincide
   }
+  points.thinned_points = 0;
+  CurveSort(framed).sort_runs(sorted, other, keyed.size(), 3 * bits_within, parallel);
+  assign_ranks(framed, sorted, points, parallel);
+  return points;
 }
 
 }  // namespace pds

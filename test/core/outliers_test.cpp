@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/outliers.h>
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "core_testing.h"
 
@@ -115,6 +118,26 @@ TEST(Outliers, AreTheSameForAnyOrderAndNumberOfThreads)
   const pds::Reconstruction three = reconstruct(points, options);
   EXPECT_EQ(of_one, vertex_positions(three, points));
   EXPECT_EQ(one.triangles, three.triangles);
+}
+
+/** \brief A search that knows no neighbours of a point far off, as one within a radius. */
+TEST(Outliers, MayHaveNoNeighborsInTheCallersSearch)
+{
+  const Points points = joined(with_scatter(sphere(5000), 50), {{50, 0, 0}});
+  pds::PointCloudView cloud = view_of(points);
+  cloud.neighbor_search = [&](std::uint32_t query, std::size_t count, std::vector<std::uint32_t>& found) {
+    constexpr double reach = 0.5;
+    std::vector<std::pair<double, std::uint32_t>> near;
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      if (const double distance = (points[i] - points[query]).norm(); distance < reach) near.emplace_back(distance, i);
+    std::sort(near.begin(), near.end());
+    if (near.size() > count) near.resize(count);
+    for (const auto& [distance, i] : near) found.push_back(i);
+    if (points[query].norm() > 40) found.clear();
+  };
+  const pds::Reconstruction mesh = pds::reconstruct(cloud, {});
+  expect_sound_mesh(mesh, points);
+  EXPECT_GT(mesh.report.outliers, 0U);
 }
 
 }  // namespace

@@ -126,5 +126,19 @@ TEST(NoisyClouds, AreSmoothedWhateverSearchTheCallerBrings)
   EXPECT_EQ(pds::reconstruct(cloud, {}).triangles, reconstruct(points).triangles);
 }
 
+/** \brief Seeds stay where they are, though distances are measured between points that were moved. */
+TEST(NoisyClouds, HaveSeedsAtNoDistanceFromThemselvesIfTheyAreThinned)
+{
+  Random random(11);
+  Points points = sphere(30000);
+  for (Eigen::Vector3d& p : points) p *= 1 + 0.02 * random.normal();
+  pds::Options options;
+  options.radius_factor = 8;
+  const pds::Reconstruction mesh = reconstruct(points, options);
+  ASSERT_TRUE(mesh.report.smoothed);
+  ASSERT_GT(mesh.report.thinned_points, 0U);
+  for (const std::uint32_t seed : mesh.seeds) EXPECT_EQ(mesh.voronoi.distance[seed], 0.0F);
+}
+
 }  // namespace
 }  // namespace pds_test

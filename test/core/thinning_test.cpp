@@ -95,6 +95,18 @@ TEST_P(Thinning, CountsCoincidentPointsApart)
   EXPECT_EQ(points.size() + points.thinned_points, count);
 }
 
+/** \brief Twice as many points in the same places are no reason to thin, nor to keep others. */
+TEST_P(Thinning, DoesNotDependOnCoincidentPoints)
+{
+  for (const double voxel_side : {0.05, 0.1, side}) {
+    const pds::OrderedPoints once = thin(torus(count), voxel_side);
+    const pds::OrderedPoints twice = thin(joined(torus(count), torus(count)), voxel_side);
+    EXPECT_EQ(once.position, twice.position) << voxel_side;
+    EXPECT_EQ(once.thinned_points, twice.thinned_points) << voxel_side;
+    EXPECT_EQ(twice.merged_points, count) << voxel_side;
+  }
+}
+
 TEST_P(Thinning, LeavesFinePointsAsTheyAre)
 {
   const Points input = torus(count);
@@ -147,13 +159,24 @@ TEST(ThinningBeforeOrder, TakesPointsInOnePlaceForOne)
   EXPECT_EQ(points.thinned_points, 0U);
 }
 
-TEST(ThinningBeforeOrder, FollowsNoStray)
+TEST(ThinningBeforeOrder, ThinsBesideAStray)
 {
   Points input = torus(count);
-  input.emplace_back(1e7, 0, 0);
+  input.emplace_back(1e5, 0, 0);
   const pds::OrderedPoints points = thinned_before_order(input, side, 2);
+  EXPECT_LT(points.size(), count / 5);
   EXPECT_EQ(points.size() + points.thinned_points, count + 1);
-  EXPECT_GE(points.size(), 1000U);
+}
+
+/** \brief All but one of the points are in one cell of the curve, however many bits tell voxels apart. */
+TEST(ThinningBeforeOrder, KeepsAllPointsIfAStrayLeavesTooFewVoxels)
+{
+  Points input = torus(count);
+  input.emplace_back(1e9, 0, 0);
+  const pds::OrderedPoints points = thinned_before_order(input, 1e6, 2);
+  EXPECT_EQ(points.size(), count + 1);
+  EXPECT_EQ(points.thinned_points, 0U);
+  EXPECT_EQ(points.position, pds::order_points(view_of(input), pds::Parallel(2)).position);
 }
 
 }  // namespace
