@@ -146,6 +146,9 @@ TEST_F(PcdReader, names_what_is_wrong)
       std::string::npos);
   EXPECT_NE(complaint_about(header("FIELDS x y z\nSIZE 4 4 -4\nTYPE F F F\nCOUNT 1 1 1\n", "1", "ascii")).find("SIZE"),
             std::string::npos);
+  EXPECT_NE(
+      complaint_about(header("FIELDS x y \033z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n", "1", "ascii")).find("FIELDS"),
+      std::string::npos);
   const std::string two_points = std::string(24, '\0');
   EXPECT_EQ(complaint_about(header(xyz, "2", "binary") + two_points), "");
   EXPECT_NE(complaint_about(header(xyz, "2", "binary") + two_points.substr(1)).find("cut short"), std::string::npos);

@@ -101,6 +101,14 @@ TEST_F(PdalDamage, never_ends_the_program_whichever_byte_of_an_e57_header_or_des
   flip_bytes("cloud.e57", content, range(0, std::min(content.find_last_of('>'), std::size_t{1200})), e57_file);
 }
 
+TEST_F(PdalDamage, of_the_count_of_an_e57_is_complained_of_before_all_are_counted)
+{
+  const std::vector<double> values = {0, 1, 2};
+  const std::string content =
+      e57_content({{"cartesianX", values}, {"cartesianY", values}, {"cartesianZ", values}}, 99'999'999'999);
+  expect_complaint("cloud.e57", e57_file(content), "announces 99999999999 points");
+}
+
 TEST_F(PdalDamage, of_packed_points_does_not_end_the_program)
 {
   for (const auto& [name, driver] :

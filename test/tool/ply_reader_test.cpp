@@ -184,6 +184,7 @@ TEST(PlyReader, names_what_is_wrong)
   EXPECT_NE(of("ply\nelement vertex 0\nend_header\n").find("line 3"), std::string::npos);
   EXPECT_NE(of(header("ascii", "-1", xyz_float)).find("line 4"), std::string::npos);
   EXPECT_NE(of(header("ascii", "1", "property quad x\n")).find("line 5"), std::string::npos);
+  EXPECT_NE(of(header("ascii", "1", std::string("property float x\0x\n", 20))).find("line 5"), std::string::npos);
   EXPECT_NE(of(header("ascii", "1", "property float x\nproperty float y\n") + "1 2\n").find("x, y and z"),
             std::string::npos);
   EXPECT_NE(of(header("ascii", "1", xyz_float) + "1 2\n").find("cut short"), std::string::npos);

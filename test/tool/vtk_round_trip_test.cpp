@@ -79,5 +79,18 @@ TEST_F(VtkRoundTrip, of_vtp_gives_every_bit_of_every_field_back) { expect_round_
 TEST_F(VtkRoundTrip, of_vtp_as_text_gives_every_bit_of_every_field_back) { expect_round_trip("mesh.vtp", true); }
 TEST_F(VtkRoundTrip, of_vtk_gives_every_bit_of_every_field_back) { expect_round_trip("mesh.vtk", false); }
 
+/** A PLY may call a field anything, XML may not. */
+TEST_F(VtkRoundTrip, of_vtp_changes_names_that_would_be_markup)
+{
+  const PointTable points = points_with({{"a<b&\"c>", ScalarType::float32}, {"h\xff", ScalarType::uint8}});
+  AtomicFile file(path("mesh.vtp"));
+  write_mesh(file, ".vtp", points, {{0, 1, 2}}, false, {});
+  file.finish();
+  file.commit();
+  const auto mesh = read_with<vtkXMLPolyDataReader>(path("mesh.vtp"));
+  expect_same(points, {"a<b&\"c>"}, mesh->GetPointData()->GetArray("a_b__c_"));
+  expect_same(points, {"h\xff"}, mesh->GetPointData()->GetArray("h_"));
+}
+
 }  // namespace
 }  // namespace pds

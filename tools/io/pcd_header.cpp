@@ -104,6 +104,9 @@ std::vector<PcdField> parse_fields(const Entries& entries)
   if (types != entries.end() && types->second.size() != names.size()) {
     throw_impossible("TYPE");
   }
+  if (!std::all_of(names.begin(), names.end(), is_printable)) {
+    throw_impossible("FIELDS");
+  }
   std::vector<PcdField> fields;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string_view letter = types == entries.end() ? "F" : types->second[i];

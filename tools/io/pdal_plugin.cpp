@@ -12,6 +12,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -169,6 +170,10 @@ void read(const std::string& path, const std::string& driver, PointSink& sink)
     options.add("use_eb_vlr", true);  // extra bytes before version 1.4 as well
   }
   const std::size_t announced = pipeline.makeReader(path, driver, options).preview().m_pointCount;
+  constexpr std::size_t most_points_per_byte = 8;  // of an E57: a bit each. PDAL would take its time for all of them
+  if (!is_las && announced / most_points_per_byte > std::filesystem::file_size(path)) {
+    throw std::runtime_error("it announces " + std::to_string(announced) + " points, for which it is too short");
+  }
   pipeline.prepare();
   pipeline.execute();
   std::size_t size = 0;

@@ -75,7 +75,7 @@ bool parse_element(const Words& words, std::vector<PlyElement>& elements)
 bool parse_property(const Words& words, std::vector<PlyElement>& elements)
 {
   const bool is_list = words.size() == 5 && words[1] == "list";
-  if (elements.empty() || (!is_list && words.size() != 3)) {
+  if (elements.empty() || (!is_list && words.size() != 3) || !is_printable(words.back())) {
     return false;
   }
   PlyProperty property;

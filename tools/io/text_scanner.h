@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -113,6 +114,15 @@ inline void split(std::string_view line, std::string_view separators, std::vecto
     tokens.push_back(line.substr(begin, end == std::string_view::npos ? end : end - begin));
     begin = line.find_first_not_of(separators, end);
   }
+}
+
+/** \brief Whether a word has no control characters, as those of damaged files do: no format can hold such a name. */
+inline bool is_printable(std::string_view word)
+{
+  constexpr char delete_character = 127;
+  return std::all_of(word.begin(), word.end(), [](char c) {
+    return static_cast<unsigned char>(c) > static_cast<unsigned char>(' ') && c != delete_character;
+  });
 }
 
 }  // namespace pds

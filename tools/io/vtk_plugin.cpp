@@ -11,9 +11,13 @@
 #include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <exception>
+#include <functional>
+#include <string>
+#include <string_view>
 
 namespace pds
 {
@@ -66,6 +70,17 @@ vtkSmartPointer<vtkDataArray> make_array(const PointTable& points, const std::ar
   return array;
 }
 
+/** VTK writes names into XML as they are, which may be no UTF-8. */
+std::string xml_name(std::string name)
+{
+  constexpr std::string_view markup = "<>&\"'";
+  const auto is_safe = [&](char c) {
+    return static_cast<unsigned char>(c) < 128 && markup.find(c) == std::string_view::npos;
+  };
+  std::replace_if(name.begin(), name.end(), std::not_fn(is_safe), '_');
+  return name;
+}
+
 void add_fields(const PointTable& points, vtkPointData& data)
 {
   const bool has_colors = points.color_type().has_value();
@@ -85,7 +100,7 @@ void add_fields(const PointTable& points, vtkPointData& data)
                          (has_colors && is_one_of(field.name, color_fields));
     if (!is_done) {
       const auto array = make_array(points, std::array{field.name.c_str()});
-      array->SetName(field.name.c_str());
+      array->SetName(xml_name(field.name).c_str());
       data.AddArray(array);
     }
   }
