@@ -59,7 +59,7 @@ bool fill_polygon(TriangleComplex& complex,
 /** \brief Fills the faces of more than three sides that lie wholly in the open, then all holes of the complex within
  * the limits, shortest first (paper, flowchart step 8). Before, between and after, what cannot stay goes: pinched
  * vertices keep their largest fan, specks are removed.
- * \return the number of polygons of more than three sides filled */
+ * \return the number of polygons of more than three sides filled, and of joints between rims */
 std::size_t fill_holes(TriangleComplex& complex,
                        const SeedGeometry& seeds,
                        const BorderingCells& bordering,

@@ -80,8 +80,8 @@ class NeighborRange
 /** \brief How far a point's own neighbours go. */
 struct Reach
 {
-  float squared;       ///< distance of the farthest one; 0 if there is none
-  std::uint32_t rank;  ///< of the farthest one
+  float squared;       ///< distance of the last one; 0 if there is none
+  std::uint32_t rank;  ///< of the last one
 
   static constexpr std::uint32_t parted = 0xffffffffU;  ///< in place of the rank: the row is of one sheet
 };
@@ -111,7 +111,8 @@ struct NeighborGraph
 
   /** \brief Number of points. */
   [[nodiscard]] std::size_t size() const { return reverse_begin.empty() ? 0 : reverse_begin.size() - 1; }
-  /** \brief The k nearest neighbours of \a i (fewer in a smaller cloud), nearest first. */
+  /** \brief The k nearest neighbours of \a i, nearest first: fewer in a smaller cloud, of its own sheet only where
+   * sheets were parted (see sheet_separation.h). */
   [[nodiscard]] NeighborSpan nearest(std::size_t i) const
   {
     const std::uint32_t* row = own.data() + i * stride;

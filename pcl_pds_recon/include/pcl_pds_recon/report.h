@@ -12,8 +12,8 @@ namespace pds
 struct StageSeconds
 {
   double load = 0;         ///< reading the input file (command tool)
-  double neighbors = 0;    ///< ordering, merging, k nearest neighbours
-  double weights = 0;      ///< normals, curvature and edge weights
+  double neighbors = 0;    ///< ordering, merging, thinning, k nearest neighbours, planes, sheets, noise
+  double weights = 0;      ///< edge weights and feature ranks
   double sampling = 0;     ///< dart throwing with geodesic disks
   double voronoi = 0;      ///< Voronoi cells, witness points, seed triples
   double seed_graph = 0;   ///< adjacency of seeds and its planar subset
@@ -63,7 +63,7 @@ struct Report
   bool closed = false;                   ///< there are faces and no boundary
   bool orientable = true;                ///< false: the surface is one-sided and was cut open
   double p99_distance = 0;       ///< 99 % of the points are that near to the mesh, in input units; 0: not measured
-  std::size_t filled_holes = 0;  ///< polygons of more than three sides that were triangulated
+  std::size_t filled_holes = 0;  ///< polygons of more than three sides that were triangulated, and joints between rims
   /** Least distance of two seeds, in radii, in the run's metric; disks are grown to 1.25 radii, so that is the largest
    * value. */
   double min_seed_distance = 0;

@@ -25,8 +25,8 @@ constexpr bool thinning_pays(std::size_t points, std::size_t kept) { return poin
  * Space is cut into voxels; of the points in one, the nearest to their mean stays, which is in the middle of the noise,
  * and represents the others, as one of several coincident points does. A point and its representative are at most
  * sqrt(3) voxels apart, 0.46 radii in the uniform metric and seldom more than 0.15; that bounds what thinning changes
- * about the distance of a point. Nothing is left out unless that leaves less than
- * half of the points, and a thousand of them are left at least, in smaller voxels if need be. O(n).
+ * about the distance of a point. Nothing is left out unless that leaves
+ * half of the points at most, and a thousand of them are left at least, in smaller voxels if need be. O(n).
  * \param voxel_side in units of position
  * \return the points that are left, in their order
  */
