@@ -161,22 +161,36 @@ TEST(LasReader, says_what_it_does_not_read)
   EXPECT_EQ(read(with_waveforms.bytes()).not_read, "waveforms and extra bytes");
 }
 
-TEST(LasReader, says_that_the_header_announces_too_few_points)
+TEST(LasReader, complains_of_a_header_that_announces_too_few_points)
 {
-  const auto not_read = [](std::uint8_t minor_version, std::uint32_t records_behind, const std::string& behind) {
+  const auto complaint_with = [](std::uint8_t minor_version, std::uint32_t records_behind, const std::string& behind) {
     LasFile file(minor_version, 0, 20);
     file.add(las_record(1, 2, 3, 6));
-    file.set(235, static_cast<std::uint64_t>(file.bytes().size()));
-    file.set(243, records_behind);
-    return read(file.bytes() + behind).not_read;
+    if (minor_version >= 4) {
+      file.set(235, static_cast<std::uint64_t>(file.bytes().size()));
+      file.set(243, records_behind);
+    }
+    return complaint_about(file.bytes() + behind);
   };
   const std::string point = las_record(4, 5, 6, 2) + std::string(4, '\0');
-  EXPECT_EQ(not_read(4, 0, point), data_after_points);
-  EXPECT_EQ(not_read(4, 1, point + point), "") << "an extended variable-length record";
-  EXPECT_EQ(not_read(4, 0, "padding"), "");
-  LasFile old(2, 0, 20);
-  old.add(las_record(1, 2, 3, 6));
-  EXPECT_EQ(read(old.bytes() + point).not_read, data_after_points);
+  EXPECT_NE(complaint_with(4, 0, point).find("goes on after the last point"), std::string::npos);
+  EXPECT_NE(complaint_with(2, 0, point).find("goes on after the last point"), std::string::npos);
+  EXPECT_EQ(complaint_with(4, 1, point + point), "") << "an extended variable-length record";
+  EXPECT_EQ(complaint_with(4, 0, "padding"), "");
+}
+
+TEST(LasReader, does_not_take_waveforms_for_points)
+{
+  LasFile file(3, 4, 57);
+  file.add(las_record(1, 2, 3, 6));
+  const auto begin = static_cast<std::uint64_t>(file.bytes().size());
+  EXPECT_NE(complaint_about(file.bytes() + std::string(100, '\0')).find("goes on"), std::string::npos);
+  file.set(227, begin + 57);
+  EXPECT_NE(complaint_about(file.bytes() + std::string(100, '\0')).find("goes on"), std::string::npos);
+  file.set(227, begin);
+  EXPECT_EQ(complaint_about(file.bytes() + std::string(100, '\0')), "");
+  file.set(227, begin - 1);
+  EXPECT_NE(complaint_about(file.bytes() + std::string(100, '\0')).find("cut short"), std::string::npos);
 }
 
 TEST(LasReader, names_what_is_wrong)
@@ -201,6 +215,8 @@ TEST(LasReader, names_what_is_wrong)
   EXPECT_NE(with(96, std::uint32_t{4000000000}).find("cut short"), std::string::npos);
   EXPECT_NE(with(107, std::uint32_t{4000000000}).find("cut short"), std::string::npos);
   EXPECT_NE(with(131, 0.0).find("scale"), std::string::npos);
+  EXPECT_NE(with(131, -0.001).find("scale"), std::string::npos);
+  EXPECT_NE(with(187, std::numeric_limits<double>::infinity()).find("bounds"), std::string::npos);
   EXPECT_NE(with(131, 1e300).find("scale"), std::string::npos);
   EXPECT_NE(with(155, std::numeric_limits<double>::quiet_NaN()).find("scale"), std::string::npos);
   LasFile wide(4, 6, 30);

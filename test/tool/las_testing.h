@@ -14,7 +14,10 @@ class LasFile
 {
  public:
   LasFile(std::uint8_t minor_version, std::uint8_t format, std::uint16_t record_bytes)
-      : header_(minor_version < 4 ? 227 : 375, '\0')
+      : header_(minor_version < 3   ? 227
+                : minor_version < 4 ? 235
+                                    : 375,
+                '\0')
   {
     header_.replace(0, 4, "LASF");
     set(6, static_cast<std::uint16_t>(format < 6 ? 0 : 16));  // the standard wants the flag for WKT
@@ -33,6 +36,15 @@ class LasFile
   void set(std::size_t place, const Number& number)
   {
     std::memcpy(header_.data() + place, &number, sizeof number);
+  }
+
+  /** \brief Puts the bounds of the coordinates into the header. */
+  void set_bounds(const std::array<double, 3>& least, const std::array<double, 3>& greatest)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      set(179 + 16 * axis, greatest[axis]);
+      set(187 + 16 * axis, least[axis]);
+    }
   }
 
   /** \brief Describes a number in the extra bytes, in the order in which they lie there.

@@ -20,6 +20,8 @@ using Names = std::vector<std::string>;
 constexpr std::size_t las_1_2_count_at = 107;  // ASPRS LAS 1.2, number of points
 constexpr std::size_t las_1_4_count_at = 247;  // ASPRS LAS 1.4, the same
 constexpr std::size_t record_bytes_at = 105;   // ASPRS LAS 1.2 and 1.4
+constexpr std::size_t x_scale_at = 131;        // likewise
+constexpr std::size_t x_offset_at = 155;       // likewise
 
 template <typename Number>
 std::string with_number(std::string bytes, std::size_t place, Number number)
@@ -140,14 +142,38 @@ TEST_F(PdalDamage, of_the_length_of_records_is_complained_of)
   }
 }
 
-TEST_F(PdalDamage, reads_the_first_points_of_copc_and_says_that_there_are_more)
+TEST_F(PdalDamage, of_the_count_is_complained_of_if_there_are_more_points)
 {
+  const std::string laz = make("cloud.laz", "writers.las");
   const std::string copc = make("cloud.copc.laz", "writers.copc");
-  write("cloud.copc.laz", with_number(copc, las_1_4_count_at, std::uint64_t{utm_points - 1}));
-  ASSERT_EQ(run("--report r.json cloud.copc.laz out.ply"), 0) << errors();
-  EXPECT_NE(errors().find("data after the last point that the header announces are left out"), std::string::npos)
-      << errors();
-  EXPECT_NE(read("r.json").find("\"input_points\": 2999,"), std::string::npos);
+  for (const std::size_t count : {utm_points - 1, utm_points / 2, std::size_t{1}}) {
+    expect_complaint("cloud.laz", with_number(laz, las_1_2_count_at, static_cast<std::uint32_t>(count)), "goes on");
+    expect_complaint("cloud.copc.laz", with_number(copc, las_1_4_count_at, std::uint64_t{count}), "goes on");
+  }
+}
+
+TEST_F(PdalDamage, is_not_seen_in_packed_points_that_take_next_to_no_room)
+{
+  constexpr std::size_t chunk_points = 50000;  // of PDAL
+  for (const std::size_t count : {std::size_t{1}, std::size_t{2}, chunk_points, chunk_points + 1}) {
+    LasFile las(2, 0, 20);
+    for (std::size_t i = 0; i < count; ++i) {
+      las.add(las_record(static_cast<std::int32_t>(i), 0, 0, 2));
+    }
+    write("line.las", las.bytes());
+    ASSERT_EQ(write_with_pdal(path("line.las"), path("line.laz"), "writers.las"), count);
+    EXPECT_EQ(read_points(path("line.laz"), Parallel(1)).size(), count);
+  }
+}
+
+TEST_F(PdalDamage, of_the_scale_or_offset_of_packed_points_is_complained_of)
+{
+  for (const auto& [name, driver] :
+       {std::pair("cloud.laz", "writers.las"), std::pair("cloud.copc.laz", "writers.copc")}) {
+    const std::string good = make(name, driver);
+    expect_complaint(name, with_number(good, x_scale_at, 0.01), "outside the bounds in its LAS header (x from");
+    expect_complaint(name, with_number(good, x_offset_at, 500001.0), "outside the bounds in its LAS header (x from");
+  }
 }
 
 TEST_F(PdalDamage, of_the_reference_system_does_not_matter)

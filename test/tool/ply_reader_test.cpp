@@ -146,21 +146,48 @@ TEST(PlyReader, reads_many_blocks_of_any_layout_with_any_number_of_threads)
   }
 }
 
-TEST(PlyReader, says_that_the_header_announces_too_few_points)
+TEST(PlyReader, complains_of_a_header_that_announces_too_few_points)
 {
+  const auto complaint_about = [](const std::string& file) { return complaint([&file] { return read_ply(file); }); };
+  const auto goes_on = [&](const std::string& file) {
+    return complaint_about(file).find("goes on after the last point") != std::string::npos;
+  };
   const std::string point = bytes_of(1.F) + bytes_of(2.F) + bytes_of(3.F);
   const std::string little = "binary_little_endian";
-  EXPECT_EQ(read_ply(header(little, "1", xyz_float) + point + point).not_read, data_after_points);
-  EXPECT_EQ(read_ply(header(little, "1", xyz_float) + point + "padding").not_read, "");
+  EXPECT_TRUE(goes_on(header(little, "1", xyz_float) + point + point));
+  EXPECT_EQ(complaint_about(header(little, "1", xyz_float) + point + "padding"), "");
   const std::string list = "property list uchar float more\n";
   const std::string row_with_list = point + bytes_of(std::uint8_t{1}) + bytes_of(4.F);
-  EXPECT_EQ(read_ply(header(little, "1", xyz_float + list) + row_with_list).not_read, "the list properties more");
-  EXPECT_EQ(read_ply(header(little, "1", xyz_float + list) + row_with_list + row_with_list).not_read,
-            std::string("the list properties more and ") + data_after_points);
-  EXPECT_EQ(read_ply(header("ascii", "1", xyz_float) + "1 2 3\n4 5 6\n").not_read, data_after_points);
-  EXPECT_EQ(read_ply(header("ascii", "1", xyz_float) + "1 2 3\n\n").not_read, "");
-  const std::string with_faces = xyz_float + "element face 1\nproperty list uchar int vertex_indices\n";
-  EXPECT_EQ(read_ply(header("ascii", "1", with_faces) + "1 2 3\n3 0 0 0\n").not_read, "the rows of face");
+  EXPECT_EQ(complaint_about(header(little, "1", xyz_float + list) + row_with_list), "");
+  EXPECT_TRUE(goes_on(header(little, "1", xyz_float + list) + row_with_list + row_with_list));
+  EXPECT_TRUE(goes_on(header("ascii", "1", xyz_float) + "1 2 3\n4 5 6\n"));
+  EXPECT_EQ(complaint_about(header("ascii", "1", xyz_float) + "1 2 3\n\n"), "");
+}
+
+TEST(PlyReader, finds_by_the_faces_that_the_number_of_vertices_is_wrong)
+{
+  const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
+  const std::string face = bytes_of(std::uint8_t{3}) + bytes_of(0) + bytes_of(1) + bytes_of(2);
+  std::string points;
+  for (const float x : {1.F, 2.F, 3.F, 4.F}) {
+    points += bytes_of(x) + bytes_of(2.F) + bytes_of(3.F);
+  }
+  const auto complaint_about = [&](const char* vertices, const std::string& body) {
+    return complaint([&] { return read_ply(header("binary_little_endian", vertices, xyz_float + faces) + body); });
+  };
+  EXPECT_EQ(complaint_about("4", points + face + face), "");
+  for (const char* wrong : {"0", "1", "2", "3", "5"}) {
+    EXPECT_NE(complaint_about(wrong, points + face + face), "") << wrong;
+  }
+  EXPECT_NE(complaint_about("4", points + face + face.substr(0, 12)).find("cut short"), std::string::npos);
+  const auto complaint_about_text = [&](const char* vertices) {
+    return complaint([&] {
+      return read_ply(header("ascii", vertices, xyz_float + faces) + "1 2 3\n4 5 6\n7 8 9\n3 0 1 2\n3 0 1 2\n");
+    });
+  };
+  EXPECT_EQ(complaint_about_text("3"), "");
+  EXPECT_NE(complaint_about_text("2"), "");
+  EXPECT_NE(complaint_about_text("4"), "");
 }
 
 TEST(PlyReader, says_which_lists_and_other_elements_it_does_not_read)

@@ -11,11 +11,6 @@ namespace pds
 namespace
 {
 
-bool is_corner_list(const PlyProperty& property)
-{
-  return property.list_size_type && (property.name == "vertex_indices" || property.name == "vertex_index");
-}
-
 template <typename Body>
 std::uint32_t read_index(Body& body, ScalarType type)
 {
@@ -51,13 +46,14 @@ Triangles read_faces(Body body, const std::vector<PlyElement>& elements)
   if (face == elements.end() || face->properties.empty()) {
     return triangles;
   }
-  if (std::none_of(face->properties.begin(), face->properties.end(), is_corner_list)) {
+  if (std::none_of(face->properties.begin(), face->properties.end(),
+                   [](const PlyProperty& property) { return property.is_corner_list(); })) {
     throw InvalidInput("its faces have no list 'vertex_indices'; write the mesh again with one");
   }
   std::vector<std::uint32_t> corners;
   for (std::uint64_t row = 0; row < face->count; ++row) {
     for (const PlyProperty& property : face->properties) {
-      if (is_corner_list(property)) {
+      if (property.is_corner_list()) {
         read_corners(body, property, corners);
         add_polygon(corners, triangles);
       } else if (property.list_size_type) {

@@ -2,6 +2,7 @@
 #include "io/las_header.h"
 
 #include "io/number_at.h"
+#include "io/record_reader.h"
 
 #include <pcl_pds_recon/options.h>
 
@@ -27,7 +28,10 @@ constexpr std::size_t record_bytes_at = 105;
 constexpr std::size_t legacy_count_at = 107;
 constexpr std::size_t scale_at = 131;
 constexpr std::size_t offset_at = 155;
-constexpr std::size_t header_bytes = 227;         // of versions 1.0 to 1.2
+constexpr std::size_t bounds_at = 179;     // greatest x, least x, greatest y, ...
+constexpr std::size_t header_bytes = 227;  // of versions 1.0 to 1.2
+constexpr std::size_t waveforms_at = 227;  // from version 1.3 on
+constexpr std::size_t header_bytes_1_3 = 235;
 constexpr std::size_t extended_records_at = 235;  // from version 1.4 on
 constexpr std::size_t count_at = 247;             // from version 1.4 on
 
@@ -36,6 +40,11 @@ constexpr std::array<std::size_t, 11> standard_bytes = {20, 28, 26, 34, 57, 63, 
 [[noreturn]] void throw_damaged(const std::string& what)
 {
   throw InvalidInput("has a LAS header with " + what + ": the file is damaged; copy it again");
+}
+
+[[noreturn]] void throw_cut_short()
+{
+  throw InvalidInput("holds fewer data than its LAS header announces: the file is cut short; copy it again");
 }
 
 std::size_t parse_point_format(std::uint8_t code, LasCompression compression)
@@ -68,13 +77,45 @@ std::uint64_t parse_count(const std::string& header)
   return number_at<std::uint64_t>(header.data() + count_at);
 }
 
-std::size_t parse_end(const std::string& header, std::size_t file_bytes)
+std::size_t parse_end(const std::string& header, std::size_t point_format, std::size_t file_bytes)
 {
-  const bool has_extended_records = number_at<std::uint8_t>(header.data() + minor_version_at) >= 4 &&
-                                    number_at<std::uint32_t>(header.data() + las_extended_record_count_at) > 0;
-  return has_extended_records
-             ? std::min<std::uint64_t>(file_bytes, number_at<std::uint64_t>(header.data() + extended_records_at))
-             : file_bytes;
+  const auto minor_version = number_at<std::uint8_t>(header.data() + minor_version_at);
+  std::uint64_t end = file_bytes;
+  if (minor_version >= 3 && las_has_waveforms(point_format) && header.size() >= header_bytes_1_3) {
+    const auto waveforms = number_at<std::uint64_t>(header.data() + waveforms_at);
+    end = waveforms == 0 ? end : std::min(end, waveforms);  // 0: they are in a file of their own
+  }
+  if (minor_version >= 4 && number_at<std::uint32_t>(header.data() + las_extended_record_count_at) > 0) {
+    end = std::min(end, number_at<std::uint64_t>(header.data() + extended_records_at));
+  }
+  return end;
+}
+
+/** \return whether all are numbers */
+bool parse_bounds(const std::string& bytes, LasHeader& header)
+{
+  for (std::size_t axis = 0; axis < header.least.size(); ++axis) {
+    const auto [greatest, least] =
+        number_at<std::array<double, 2>>(bytes.data() + bounds_at + axis * 2 * sizeof(double));
+    header.greatest[axis] = greatest;
+    header.least[axis] = least;
+    if (!std::isfinite(greatest) || !std::isfinite(least)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Whether the records fill the file up to what follows; a few bytes behind them, too few for one more, do no harm. */
+void check_count(const LasHeader& header)
+{
+  const std::uint64_t room = header.end < header.begin ? 0 : (header.end - header.begin) / header.record_bytes;
+  if (header.count > room) {
+    throw_cut_short();
+  }
+  if (header.count < room) {
+    throw_data_after_points();
+  }
 }
 
 /** Whether all coordinates are numbers that a double holds with decimals; others are of a damaged header. */
@@ -84,7 +125,7 @@ bool has_sensible_range(const LasHeader& header)
   constexpr double greatest_coordinate = 1e15;
   for (std::size_t axis = 0; axis < header.scale.size(); ++axis) {
     const double greatest = std::abs(header.scale[axis]) * greatest_integer + std::abs(header.offset[axis]);
-    if (header.scale[axis] == 0 || !(greatest <= greatest_coordinate)) {  // nor NaN
+    if (!(header.scale[axis] > 0 && greatest <= greatest_coordinate)) {  // nor NaN
       return false;
     }
   }
@@ -92,6 +133,8 @@ bool has_sensible_range(const LasHeader& header)
 }
 
 }  // namespace
+
+bool las_has_waveforms(std::size_t point_format) { return point_format == 4 || point_format == 5 || point_format >= 9; }
 
 std::size_t las_standard_bytes(std::size_t point_format) { return standard_bytes.at(point_format); }
 
@@ -111,9 +154,12 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   header.record_bytes = number_at<std::uint16_t>(bytes.data() + record_bytes_at);
   header.begin = number_at<std::uint32_t>(bytes.data() + las_begin_at);
   header.count = parse_count(bytes);
-  header.end = parse_end(bytes, source.size());
+  header.end = parse_end(bytes, header.point_format, source.size());
   header.scale = number_at<std::array<double, 3>>(bytes.data() + scale_at);
   header.offset = number_at<std::array<double, 3>>(bytes.data() + offset_at);
+  if (!parse_bounds(bytes, header)) {
+    throw_damaged("impossible bounds");
+  }
   if (header.record_bytes < las_standard_bytes(header.point_format)) {
     throw_damaged("records shorter than their point format");
   }
@@ -126,10 +172,11 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   if (header.begin < std::max(header.header_bytes, header_bytes)) {
     throw_damaged("points inside the header");
   }
-  const std::size_t record_bytes = compression == LasCompression::none ? header.record_bytes : 0;
-  if (header.begin > source.size() ||
-      (record_bytes != 0 && header.count > (source.size() - header.begin) / record_bytes)) {
-    throw InvalidInput("holds fewer data than its LAS header announces: the file is cut short; copy it again");
+  if (header.begin > source.size()) {
+    throw_cut_short();
+  }
+  if (compression == LasCompression::none) {
+    check_count(header);
   }
   return header;
 }

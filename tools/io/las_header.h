@@ -30,18 +30,23 @@ struct LasHeader
   std::size_t record_bytes = 0;
   std::size_t begin = 0;  ///< of the first record in the file
   std::uint64_t count = 0;
-  std::size_t end = 0;  ///< of the points at the latest: extended variable-length records or the end of the file
+  std::size_t end = 0;             ///< of the points at the latest: waveforms, extended records or the end of the file
   std::array<double, 3> scale{};   ///< of x, y and z: coordinate = scale * integer + offset
   std::array<double, 3> offset{};  ///< of x, y and z
-  std::size_t header_bytes = 0;    ///< where the variable-length records begin
-  std::uint32_t record_count = 0;  ///< variable-length records
+  std::array<double, 3> least{};   ///< coordinates of all points; 0 if the writer has not filled them in
+  std::array<double, 3> greatest{};  ///< likewise
+  std::size_t header_bytes = 0;      ///< where the variable-length records begin
+  std::uint32_t record_count = 0;    ///< variable-length records
 };
 
 /** \brief Reads the header of a LAS file, version 1.0 to 1.4.
  * \throws InvalidInput if it is not one, is not compressed as \a compression says, damaged, or, if not compressed,
- * announces more records than the file holds
+ * announces more or fewer records than the file holds
  */
 [[nodiscard]] LasHeader read_las_header(const ByteSource& source, LasCompression compression);
+
+/** \brief Whether points of this format refer to waveforms, in the file or in one of their own. */
+[[nodiscard]] bool las_has_waveforms(std::size_t point_format);
 
 /** \brief Bytes of a record of this format as the standard lays it out; a file may append more. */
 [[nodiscard]] std::size_t las_standard_bytes(std::size_t point_format);

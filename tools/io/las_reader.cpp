@@ -2,6 +2,7 @@
 #include "io/las_reader.h"
 
 #include "io/color_depth.h"
+#include "io/las_bounds.h"
 #include "io/las_extra_bytes.h"
 #include "io/las_header.h"
 #include "io/las_layout.h"
@@ -167,10 +168,8 @@ void fill_scaled(PointTable& table, const ExtraScalar& scalar, const Block& bloc
 std::string what_is_not_read(const LasHeader& header, const ExtraBytes& extra)
 {
   std::vector<std::string> names;
-  if (header.point_format == 4 || header.point_format == 5 || header.point_format >= 9) {
-    names.emplace_back("waveforms");  // which lie behind the points
-  } else if (header.end >= header.begin && (header.end - header.begin) / header.record_bytes > header.count) {
-    names.emplace_back(data_after_points);
+  if (las_has_waveforms(header.point_format)) {
+    names.emplace_back("waveforms");
   }
   if (!extra.is_complete) {
     names.emplace_back(extra.scalars.empty() ? "extra bytes" : "some of the extra bytes");
@@ -215,6 +214,7 @@ PointTable read_las(const ByteSource& source, const Parallel& parallel)
       fill_colors(table, layout, divisor, block);
     }
   });
+  check_las_bounds(header, table, parallel);
   return table;
 }
 

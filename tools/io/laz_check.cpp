@@ -2,6 +2,7 @@
 #include "io/laz_check.h"
 
 #include "io/laszip_record.h"
+#include "io/record_reader.h"
 
 #include <pcl_pds_recon/options.h>
 
@@ -117,7 +118,9 @@ LazParts check_laz(const ByteSource& source)
     if (header.count > points) {
       throw_truncated();
     }
-    parts.has_data_after_last = header.count < points;
+    if (header.count < points) {
+      throw_data_after_points();
+    }
   }
   return parts;
 }

@@ -75,6 +75,14 @@ LazCopy::LazCopy(const ByteSource& source, const LazParts& parts)
   append(source, header.begin + sizeof place, parts.table_at);
 }
 
+void LazCopy::drop_last_byte() const
+{
+  const off_t size = lseek(file_.descriptor, 0, SEEK_END);
+  if (size <= 0 || ftruncate(file_.descriptor, size - 1) != 0) {
+    throw std::bad_alloc();
+  }
+}
+
 void LazCopy::append(const void* bytes, std::size_t size) const
 {
   const char* place = static_cast<const char*>(bytes);

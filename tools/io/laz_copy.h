@@ -21,6 +21,11 @@ class LazCopy
   /** \throws InvalidInput if reading fails, std::bad_alloc if there is no memory for it */
   LazCopy(const ByteSource& source, const LazParts& parts);
 
+  /** \brief Takes the last byte away. An arithmetic decoder keeps in step with its encoder and has read all bytes when
+   * it has the last point; if all points can be unpacked now, they are not all that the file holds. \throws
+   * std::bad_alloc */
+  void drop_last_byte() const;
+
   /** \brief The file's name in this process and its children. */
   [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(file_.descriptor); }
 

@@ -135,7 +135,7 @@ PointTable read_ascii(const ByteSource& source, const PcdHeader& header)
   }
   std::string_view token;
   if (scanner.next_token(token)) {
-    table.not_read = data_after_points;
+    throw_data_after_points();
   }
   return table;
 }
@@ -146,11 +146,10 @@ PointTable read_binary(const ByteSource& source, const PcdHeader& header, const 
   if (layout.count > (source.size() - layout.begin) / layout.record_bytes) {
     throw_truncated();
   }
-  PointTable table = read_records(source, layout, parallel);
   if (has_data_after_points(layout, source.size())) {
-    table.not_read = data_after_points;
+    throw_data_after_points();
   }
-  return table;
+  return read_records(source, layout, parallel);
 }
 
 /** What compressed data hold: field by field, the scalars of all points. Padding is left out. */

@@ -160,18 +160,20 @@ std::string shorten(std::string text, const std::string& path)
   return text;
 }
 
-void read(const std::string& path, const std::string& driver, PointSink& sink)
+void read(const PdalSource& source, PointSink& sink)
 {
   pdal::PipelineManager pipeline;
   pipeline.setLog(pdal::Log::makeLog("", "devnull"));  // what goes wrong is reported by the caller, in one line
-  const bool is_las = driver == "readers.las";
+  const bool is_las = source.driver == "readers.las";
   pdal::Options options;
   if (is_las) {
     options.add("use_eb_vlr", true);  // extra bytes before version 1.4 as well
+    options.add("start", source.first);
   }
-  const std::size_t announced = pipeline.makeReader(path, driver, options).preview().m_pointCount;
+  const std::size_t announced =
+      pipeline.makeReader(source.path, source.driver, options).preview().m_pointCount - source.first;
   constexpr std::size_t most_points_per_byte = 8;  // of an E57: a bit each. PDAL would take its time for all of them
-  if (!is_las && announced / most_points_per_byte > std::filesystem::file_size(path)) {
+  if (!is_las && announced / most_points_per_byte > std::filesystem::file_size(source.path)) {
     throw std::runtime_error("it announces " + std::to_string(announced) + " points, for which it is too short");
   }
   pipeline.prepare();
@@ -203,17 +205,14 @@ void read(const std::string& path, const std::string& driver, PointSink& sink)
 
 }  // namespace
 
-void pcl_pds_recon_read_with_pdal(const std::string& path,
-                                  const std::string& driver,
-                                  PointSink& sink,
-                                  std::string& complaint)
+void pcl_pds_recon_read_with_pdal(const PdalSource& source, PointSink& sink, std::string& complaint)
 {
   try {
-    read(path, driver, sink);
+    read(source, sink);
   } catch (const std::bad_alloc&) {
     complaint = "PDAL asks for more memory than there is; the file is damaged, or too large for this machine";
   } catch (const std::exception& error) {
-    complaint = "PDAL cannot read it (" + shorten(error.what(), path) + "); copy it again or write it anew";
+    complaint = "PDAL cannot read it (" + shorten(error.what(), source.path) + "); copy it again or write it anew";
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include "child_process.h"
 #include "io/color_depth.h"
+#include "io/las_bounds.h"
+#include "io/laszip_record.h"
 #include "io/laz_check.h"
 #include "io/laz_copy.h"
 #include "io/plugin.h"
@@ -73,14 +75,14 @@ void limit_memory()
 }
 
 /** In the child. */
-void read_and_send(const ChildOutput& output, const std::string& path, const char* driver)
+void read_and_send(const ChildOutput& output, const PdalSource& source)
 {
   SendingSink sink(output);
   std::string complaint;
   try {
     void* function = load_plugin_function("pcl_pds_recon_pdal", "pcl_pds_recon_read_with_pdal");
     limit_memory();
-    reinterpret_cast<decltype(&pcl_pds_recon_read_with_pdal)>(function)(path, driver, sink, complaint);
+    reinterpret_cast<decltype(&pcl_pds_recon_read_with_pdal)>(function)(source, sink, complaint);
   } catch (const PluginError& error) {
     complaint = std::string("cannot be read: ") + error.what() + ", or convert the file to .las or .ply";
   }
@@ -108,9 +110,9 @@ Value receive(const ChildProcess& child)
   return value;
 }
 
-PointTable read_with_pdal(const std::string& path, const char* driver)
+PointTable read_with_pdal(const PdalSource& source)
 {
-  const ChildProcess child([&](const ChildOutput& output) { read_and_send(output, path, driver); });
+  const ChildProcess child([&source](const ChildOutput& output) { read_and_send(output, source); });
   const std::string complaint = receive_text(child);
   if (!complaint.empty()) {
     throw InvalidInput(complaint);
@@ -130,19 +132,32 @@ PointTable read_with_pdal(const std::string& path, const char* driver)
   return with_byte_colors(std::move(table));
 }
 
+/** Whether PDAL gets the last of \a count points from what the copy still holds. */
+bool has_last_point(const LazCopy& copy, std::uint64_t count)
+{
+  const PdalSource source = {copy.path(), "readers.las", count - 1};
+  const ChildProcess child([&source](const ChildOutput& output) { read_and_send(output, source); });
+  return child.receive_text() == "";
+}
+
 }  // namespace
 
-PointTable read_laz(const std::string& path)
+PointTable read_laz(const std::string& path, const Parallel& parallel)
 {
   const ByteSource source = ByteSource::from_file(path);
   const LazParts parts = check_laz(source);
-  PointTable table = read_with_pdal(LazCopy(source, parts).path(), "readers.las");
-  if (parts.has_data_after_last) {
-    table.not_read = data_after_points;
+  const LazCopy copy(source, parts);
+  PointTable table = read_with_pdal({copy.path(), "readers.las"});
+  check_las_bounds(parts.header, table, parallel);
+  if (parts.header.point_format < first_layered_format && table.size() > 0) {
+    copy.drop_last_byte();
+    if (has_last_point(copy, table.size())) {
+      throw_data_after_points();
+    }
   }
   return table;
 }
 
-PointTable read_e57(const std::string& path) { return read_with_pdal(path, "readers.e57"); }
+PointTable read_e57(const std::string& path) { return read_with_pdal({path, "readers.e57"}); }
 
 }  // namespace pds

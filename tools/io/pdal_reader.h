@@ -3,6 +3,9 @@
 
 #include "io/point_table.h"
 
+#include <pcl_pds_recon/parallel.h>
+
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,7 +18,7 @@ namespace pds
  * PDAL works in a process of its own, since damaged files make it crash.
  * \throws InvalidInput if the file is damaged or the plugin is not installed
  */
-[[nodiscard]] PointTable read_laz(const std::string& path);
+[[nodiscard]] PointTable read_laz(const std::string& path, const Parallel& parallel);
 
 /** \brief Reads an E57 file likewise; the names are PDAL's in snake case, but NormalX is nx. */
 [[nodiscard]] PointTable read_e57(const std::string& path);
@@ -33,11 +36,16 @@ class PointSink
   virtual void add(const PointTable& block, std::size_t count) = 0;
 };
 
-/** \brief The plugin's function. \param driver PDAL's name of the format's reader
+/** \brief What PDAL is to read. */
+struct PdalSource
+{
+  std::string path;
+  std::string driver;       ///< PDAL's name of the format's reader
+  std::uint64_t first = 0;  ///< the point with which to begin; of LAZ only
+};
+
+/** \brief The plugin's function.
  * \param complaint what goes wrong before the sink is started, since no exception may leave a plugin */
-extern "C" void pcl_pds_recon_read_with_pdal(const std::string& path,
-                                             const std::string& driver,
-                                             PointSink& sink,
-                                             std::string& complaint);
+extern "C" void pcl_pds_recon_read_with_pdal(const PdalSource& source, PointSink& sink, std::string& complaint);
 
 }  // namespace pds

@@ -25,6 +25,12 @@ struct PlyProperty
   std::string name;
   ScalarType type = ScalarType::float32;
   std::optional<ScalarType> list_size_type;  ///< set for a list property
+
+  /** \brief Whether it lists the vertices of a face. */
+  [[nodiscard]] bool is_corner_list() const
+  {
+    return list_size_type && (name == "vertex_indices" || name == "vertex_index");
+  }
 };
 
 struct PlyElement

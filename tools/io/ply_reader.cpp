@@ -61,15 +61,40 @@ std::vector<Column> scalar_columns(const PlyElement& element)
   return columns;
 }
 
-/** Whether no rows of other elements, such as faces, follow. */
-bool is_last(const std::vector<PlyElement>& elements, std::size_t index)
+/** Passes over faces. After a wrong number of vertices they begin in the middle of something, and seem to have fewer
+ * corners than faces do. */
+template <typename Body>
+void skip_faces(Body& body, const PlyElement& face)
 {
-  return std::all_of(elements.begin() + static_cast<std::ptrdiff_t>(index) + 1, elements.end(),
-                     [](const PlyElement& element) { return element.count == 0; });
+  constexpr std::uint32_t least_corners = 3;
+  for (std::uint64_t row = 0; row < face.count; ++row) {
+    for (const PlyProperty& property : face.properties) {
+      const std::uint64_t size = property.list_size_type ? read_list_size(body, *property.list_size_type) : 1;
+      if (property.is_corner_list() && size < least_corners) {
+        throw InvalidInput(
+            "has a face of fewer than three corners: the number of vertices in its header is wrong, or the "
+            "file damaged; write it again");
+      }
+      body.skip(property.type, size);
+    }
+  }
+}
+
+/** Passes over what follows the vertices, such as faces: only there it shows whether their number is right. */
+template <typename Body>
+void check_rest(Body& body, const std::vector<PlyElement>& elements, std::size_t vertex_index, std::size_t vertex_bytes)
+{
+  std::for_each(elements.begin() + static_cast<std::ptrdiff_t>(vertex_index) + 1, elements.end(),
+                [&body](const PlyElement& element) {
+                  element.name == "face" ? skip_faces(body, element) : skip_element(body, element);
+                });
+  if (body.has_more(std::max<std::size_t>(1, vertex_bytes))) {
+    throw_data_after_points();
+  }
 }
 
 /** What is there beside the scalars of the vertices, as the end of a sentence. */
-std::string what_is_not_read(const std::vector<PlyElement>& elements, std::size_t vertex_index, bool has_more)
+std::string what_is_not_read(const std::vector<PlyElement>& elements, std::size_t vertex_index)
 {
   std::vector<std::string> lists;
   for (const PlyProperty& property : elements[vertex_index].properties) {
@@ -89,9 +114,6 @@ std::string what_is_not_read(const std::vector<PlyElement>& elements, std::size_
   }
   if (!others.empty()) {
     items.push_back("the rows of " + boost::algorithm::join(others, " "));
-  }
-  if (has_more) {
-    items.emplace_back(data_after_points);
   }
   return sentence_list(items);
 }
@@ -119,8 +141,8 @@ PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std
   for (std::size_t row = 0; row < table.size(); ++row) {
     read_row(body, targets, table, row);
   }
-  const bool has_more = is_last(elements, vertex_index) && body.has_more(std::max<std::size_t>(1, least_row_bytes));
-  table.not_read = what_is_not_read(elements, vertex_index, has_more);
+  check_rest(body, elements, vertex_index, least_row_bytes);
+  table.not_read = what_is_not_read(elements, vertex_index);
   return table;
 }
 
@@ -163,9 +185,13 @@ PointTable read_binary_records(const ByteSource& source,
     }
   }
   layout.columns = scalar_columns(header.elements[vertex_index]);
+  const std::size_t end = layout.begin + static_cast<std::size_t>(layout.count) * layout.record_bytes;
+  std::string rest(source.size() - end, '\0');
+  source.read(end, rest.data(), rest.size());
+  BinaryBody body(rest, layout.order);
+  check_rest(body, header.elements, vertex_index, layout.record_bytes);
   PointTable table = read_records(source, layout, parallel);
-  const bool has_more = is_last(header.elements, vertex_index) && has_data_after_points(layout, source.size());
-  table.not_read = what_is_not_read(header.elements, vertex_index, has_more);
+  table.not_read = what_is_not_read(header.elements, vertex_index);
   return table;
 }
 

@@ -54,7 +54,7 @@ PointTable read_standard_input(const Parallel& parallel)
   throw InvalidInput("cannot be read in this build without PDAL; convert it to .las or .ply");
 }
 
-PointTable read_laz(const std::string& path)
+PointTable read_laz(const std::string& path, const Parallel& /*parallel*/)
 {
   check_laz(ByteSource::from_file(path));
   throw_without_pdal();
@@ -79,7 +79,7 @@ PointTable read_by_extension(const std::string& path, const Parallel& parallel)
     return read_las(ByteSource::from_file(path), parallel);
   }
   if (extension == ".laz") {
-    return read_laz(path);
+    return read_laz(path, parallel);
   }
   if (extension == ".e57") {
     static_cast<void>(ByteSource::from_file(path));  // says in our words if there is no such file

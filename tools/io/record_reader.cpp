@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/record_reader.h"
 
+#include <pcl_pds_recon/options.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -74,6 +76,13 @@ bool is_same_layout(const RecordLayout& layout, const PointTable& table)
 }
 
 }  // namespace
+
+void throw_data_after_points()
+{
+  throw InvalidInput(
+      "goes on after the last point that its header announces: the number of points there is wrong, or its writer was "
+      "stopped; write it again");
+}
 
 bool has_data_after_points(const RecordLayout& layout, std::size_t end)
 {

@@ -30,8 +30,8 @@ struct RecordLayout
   boost::endian::order order = boost::endian::order::little;
 };
 
-/** \brief What PointTable::not_read says if the header of a file announces fewer points than lie there. */
-inline constexpr const char* data_after_points = "data after the last point that the header announces";
+/** \brief Says that the header of a file announces fewer points than lie there. */
+[[noreturn]] void throw_data_after_points();
 
 /** \brief Whether at least one more record would find room between the last one and \a end. */
 [[nodiscard]] bool has_data_after_points(const RecordLayout& layout, std::size_t end);
