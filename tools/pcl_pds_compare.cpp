@@ -6,6 +6,7 @@
 #include "io/atomic_file.h"
 #include "io/file_extension.h"
 #include "io/write_mesh.h"
+#include "printable.h"
 #include "program.h"
 
 #include <iostream>
@@ -81,7 +82,7 @@ bool check_expectations(const CompareOptions& options, const nlohmann::ordered_j
     }
   }
   if (!failures.empty()) {
-    std::cerr << "pcl_pds_compare: not as expected: " << failures << std::endl;
+    std::cerr << printable("pcl_pds_compare: not as expected: " + failures) << std::endl;
   }
   return failures.empty();
 }

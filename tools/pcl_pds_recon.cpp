@@ -2,6 +2,7 @@
 // The command tool: reads a point cloud, reconstructs its surface, writes the mesh.
 #include "command_line.h"
 #include "input.h"
+#include "no_mesh.h"
 #include "option_table.h"
 #include "outputs.h"
 #include "program.h"
@@ -47,33 +48,6 @@ std::size_t peak_rss_bytes()
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-/** \brief What is wrong with a cloud that gave neither faces nor curves, and how to mend it. */
-std::string why_no_mesh(const Report& report, Dimension dimension)
-{
-  if (report.valid_points == 0) {
-    return "none of the points has finite coordinates; check the file's x, y and z";
-  }
-  if (report.valid_points - report.merged_points <= 1) {
-    return "all points are in one place; check the file's x, y and z";
-  }
-  if (dimension == Dimension::curve) {
-    return fmt::format(
-        "no curves came out of {} points: they look like a line at no scale, or there are too few for the radius; take "
-        "--dimension 2 or auto, or a smaller -f or -r",
-        report.valid_points);
-  }
-  const bool every_point_is_a_seed = report.seeds + report.merged_points == report.valid_points;
-  if (every_point_is_a_seed) {
-    return fmt::format("no faces: radius {} is below the spacing of the {} points; use a larger -r or -f",
-                       report.radius, report.valid_points);
-  }
-  return fmt::format(
-      "no faces came out of {} points with radius {}: too few points for this radius, all on a line, or in lines "
-      "farther "
-      "apart than their {} neighbours reach; use a smaller -f or -r, a larger -k, or remove stray points far away",
-      report.valid_points, report.radius, report.k);
-}
-
 std::vector<Reconstruction> reconstruct_table(const PointTable& points,
                                               const CommandLine& command_line,
                                               ProgressReporter& progress)
@@ -86,7 +60,7 @@ std::vector<Reconstruction> reconstruct_table(const PointTable& points,
         reconstruct_levels(points.view(), command_line.options, command_line.levels, on_stage);
     for (const Reconstruction& level : levels) {
       if (level.triangles.empty() && level.segments.empty()) {
-        throw InvalidInput(why_no_mesh(level.report, command_line.options.dimension));
+        throw InvalidInput(why_no_mesh(points, level.report, command_line.options.dimension));
       }
     }
     return levels;

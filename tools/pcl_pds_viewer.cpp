@@ -2,6 +2,7 @@
 // Shows meshes, clouds and every step of their reconstruction, in a window or as a picture.
 #include "compare/vtk_complaints.h"
 #include "io/atomic_file.h"
+#include "printable.h"
 #include "program.h"
 #include "viewer/private_x_server.h"
 #include "viewer/viewer_window.h"
@@ -74,7 +75,7 @@ void run(const ViewerOptions& options)
   }
   const ViewSource source = load_source(options);
   for (const std::string& warning : source.warnings) {
-    std::cerr << "pcl_pds_viewer: " << warning << std::endl;
+    std::cerr << printable("pcl_pds_viewer: " + warning) << std::endl;
   }
   const bool is_cloud_enough = options.layers && *options.layers == std::vector<Layer>{Layer::cloud};
   const bool waits = source.is_reconstructed() && (options.wants_window() || is_cloud_enough);

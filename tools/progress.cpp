@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.h"
 
+#include "printable.h"
+
 #include <spdlog/sinks/stdout_sinks.h>
 #include <unistd.h>
 #include <algorithm>
@@ -65,19 +67,19 @@ void ProgressReporter::finish()
 void ProgressReporter::warn(const std::string& line)
 {
   leave_bar();
-  logger_->warn("{}", line);
+  logger_->warn("{}", printable(line));
 }
 
 void ProgressReporter::info(const std::string& line)
 {
   leave_bar();
-  logger_->info("{}", line);
+  logger_->info("{}", printable(line));
 }
 
 void ProgressReporter::detail(const std::string& line)
 {
   leave_bar();
-  logger_->debug("{}", line);
+  logger_->debug("{}", printable(line));
 }
 
 /** Whatever is printed next starts on a line of its own. */

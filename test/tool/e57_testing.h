@@ -60,8 +60,11 @@ inline std::string e57_points(const std::vector<E57Column>& columns)
 }
 
 /** \brief The content of a file without checksums: a scan with these fields, all in double precision.
- * \param announced number of points, as the file says */
-inline std::string e57_content(const std::vector<E57Column>& columns, std::size_t announced)
+ * \param announced number of points, as the file says
+ * \param of_scan what the description says of the scan besides */
+inline std::string e57_content(const std::vector<E57Column>& columns,
+                               std::size_t announced,
+                               const std::string& of_scan = "")
 {
   const std::string data = e57_points(columns);
   std::string prototype;
@@ -78,7 +81,8 @@ inline std::string e57_content(const std::vector<E57Column>& columns, std::size_
       std::to_string(e57_physical(e57_header_bytes)) + "\" recordCount=\"" + std::to_string(announced) +
       "\"><prototype type=\"Structure\">" + prototype +
       "</prototype><codecs type=\"Vector\" "
-      "allowHeterogeneousChildren=\"1\"/></points></vectorChild></data3D></e57Root>";
+      "allowHeterogeneousChildren=\"1\"/></points>" +
+      of_scan + "</vectorChild></data3D></e57Root>";
   const std::uint64_t xml_at = e57_header_bytes + data.size();
   const std::uint64_t logical_bytes = xml_at + xml.size();
   const std::uint64_t pages = (logical_bytes + e57_page_content - 1) / e57_page_content;

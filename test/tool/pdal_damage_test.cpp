@@ -103,12 +103,64 @@ TEST_F(PdalDamage, never_ends_the_program_whichever_byte_of_an_e57_header_or_des
   flip_bytes("cloud.e57", content, range(0, std::min(content.find_last_of('>'), std::size_t{1200})), e57_file);
 }
 
-TEST_F(PdalDamage, of_the_count_of_an_e57_is_complained_of_before_all_are_counted)
+std::string e57_line_content(std::size_t announced, const std::string& of_scan = "")
 {
-  const std::vector<double> values = {0, 1, 2};
-  const std::string content =
-      e57_content({{"cartesianX", values}, {"cartesianY", values}, {"cartesianZ", values}}, 99'999'999'999);
-  expect_complaint("cloud.e57", e57_file(content), "announces 99999999999 points");
+  std::vector<double> values(utm_points);  // several packets
+  std::iota(values.begin(), values.end(), 0.0);
+  return e57_content({{"cartesianX", values}, {"cartesianY", values}, {"cartesianZ", values}}, announced, of_scan);
+}
+
+TEST_F(PdalDamage, of_the_count_of_an_e57_is_complained_of)
+{
+  for (const std::size_t more : {utm_points + 1, std::size_t{99'999'999'999}}) {
+    expect_complaint("cloud.e57", e57_file(e57_line_content(more)), "points and holds data of fewer");
+  }
+  for (const std::size_t fewer : {utm_points - 1, utm_points / 2, std::size_t{0}}) {
+    expect_complaint("cloud.e57", e57_file(e57_line_content(fewer)), "points and holds data of more");
+  }
+}
+
+TEST_F(PdalDamage, of_what_an_e57_says_of_its_fields_and_scans_is_complained_of)
+{
+  std::string content = e57_line_content(utm_points);
+  const auto complains_with = [&](const std::string& old_text, const std::string& new_text, const std::string& part) {
+    const std::string text = std::string(content).replace(content.find(old_text), old_text.size(), new_text);
+    ASSERT_EQ(text.size(), content.size());
+    expect_complaint("cloud.e57", e57_file(text), part);
+  };
+  complains_with("type=\"Float\"/>", "type=\"Other\"/>", "its description in XML is wrong");
+  complains_with("<cartesianX", "<cartesianY", "its structure is wrong");
+  complains_with("fileOffset=\"48\"", "fileOffset=\"52\"", "no points where its E57 description says");
+}
+
+TEST_F(PdalDamage, of_the_pose_of_an_e57_is_complained_of)
+{
+  const auto pose = [](const char* w) {
+    std::string rotation = "<pose type=\"Structure\"><rotation type=\"Structure\"><w type=\"Float\">";
+    rotation += w;
+    for (const char* name : {"x", "y", "z"}) {
+      rotation.append("<").append(name).append(" type=\"Float\"/>");
+    }
+    return rotation.replace(rotation.find("<x"), 0, "</w>") + "</rotation></pose>";
+  };
+  write("good.e57", e57_file(e57_line_content(utm_points, pose("1"))));
+  EXPECT_EQ(read_points(path("good.e57"), Parallel(1)).size(), utm_points);
+  std::filesystem::remove(path("good.e57"));
+  for (const char* w : {"0", "5", "nan"}) {
+    expect_complaint("cloud.e57", e57_file(e57_line_content(utm_points, pose(w))), "whose pose is no rotation");
+  }
+}
+
+TEST_F(PdalDamage, of_an_e57_is_told_without_the_names_of_a_library)
+{
+  const std::string good = e57_file(e57_line_content(utm_points));
+  expect_complaint("text.e57", "1 2 3", "is not an E57 file");
+  expect_complaint("cut.e57", good.substr(0, good.size() - e57_page_bytes), "cut short");
+  expect_complaint("long.e57", good + std::string(e57_page_bytes, '\0'), "longer than its E57 header announces");
+  std::string flipped = good;
+  flipped[good.size() / 2] ^= 1;
+  expect_complaint("flipped.e57", flipped, "PDAL cannot read it (");
+  EXPECT_EQ(errors().find("readers.e57"), std::string::npos) << errors();
 }
 
 TEST_F(PdalDamage, of_packed_points_does_not_end_the_program)

@@ -54,6 +54,27 @@ TEST_F(RunBadInput, that_is_compressed_is_told_how_to_be_read)
       complained_of("cloud.ply.gz: is compressed; unpack it on the way: gunzip -c scan.ply.gz | pcl_pds_recon -"));
 }
 
+TEST_F(RunBadInput, with_control_characters_is_shown_in_one_line_that_a_terminal_does_not_obey)
+{
+  write("a\nb\x1b[2J.xyz", "x y z\n");
+  EXPECT_EQ(run("-q a*.xyz out.ply"), 1);
+  EXPECT_TRUE(complained_of("a\\nb\\x1b[2J.xyz: "));
+  write("value.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+        "end_header\n1 2 \x1b]0;title\x07\xc2\x9b\xc3\xa4\n");
+  EXPECT_EQ(run("-q value.ply out.ply"), 1);
+  EXPECT_TRUE(complained_of("'\\x1b]0;title\\x07\\u009b\xc3\xa4'"));
+}
+
+TEST_F(RunBadInput, whose_coordinates_are_wild_is_not_blamed_on_the_options)
+{
+  write("wild.xyz", "0 0 0\n1e30 1 0\n1 1e20 1\n2 1 1\n3 0 1\n");
+  EXPECT_EQ(run("-q wild.xyz out.ply"), 1);
+  EXPECT_TRUE(
+      complained_of("wild.xyz: no mesh came out of 5 points: x reaches from 0 to 1e+30, but of half of the points "
+                    "only from 1 to 3"));
+}
+
 TEST_F(RunBadInput, which_may_not_be_read)
 {
   if (geteuid() == 0) {

@@ -71,6 +71,14 @@ TEST_F(RunPdal, carries_utm_coordinates_to_the_last_bit)
   EXPECT_TRUE(has_only_las_coordinates(mesh));
 }
 
+TEST_F(RunPdal, needs_no_standard_streams)
+{
+  write("cloud.laz", make(samples[0]));
+  ASSERT_EQ(run("-q cloud.laz out.ply"), 0) << errors();
+  ASSERT_EQ(run("-q cloud.laz closed.ply <&- >&- 2>&- #"), 0);  // the rest of the line would open them again
+  EXPECT_EQ(read("closed.ply"), read("out.ply"));
+}
+
 TEST_F(RunPdal, complains_of_an_e57_that_announces_more_points_than_it_holds)
 {
   write("cloud.e57", e57(e57_columns(), utm_points + 500));

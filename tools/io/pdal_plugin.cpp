@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/pdal_reader.h"
 
+#include "io/e57_check.h"
 #include "io/snake_case.h"
+
+#include <pcl_pds_recon/options.h>
 
 #include <pdal/PipelineManager.hpp>
 #include <pdal/PointView.hpp>
@@ -12,8 +15,8 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <cstddef>
 #include <cstring>
-#include <filesystem>
 #include <new>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -152,12 +155,33 @@ void hand_over(const pdal::PointView& view,
   }
 }
 
+/** What libE57 says by numbers and its own names, in words. */
+std::string in_words(const std::string& text)
+{
+  static const std::regex numbered("readers.e57: ([0-9]+) : .*");
+  std::smatch match;
+  if (!std::regex_match(text, match, numbered) && text != "E57 exception") {
+    return text;
+  }
+  const std::string number = match.empty() ? "" : match[1].str();
+  return number == "12" || number == "13" ? "its description in XML is wrong"
+         : number == "16"                 ? "a checksum is wrong"
+                                          : "its structure is wrong";
+}
+
 /** In one line, and without the name of the file, which the caller puts before it. */
 std::string shorten(std::string text, const std::string& path)
 {
-  boost::replace_all(text, path, "the file");
   std::replace(text.begin(), text.end(), '\n', ' ');
+  text = in_words(text);
+  boost::replace_all(text, path, "the file");
   return text;
+}
+
+void check_e57(const std::string& path)
+{
+  const ByteSource bytes = ByteSource::from_file(path);
+  check_e57_points(E57File(bytes));
 }
 
 void read(const PdalSource& source, PointSink& sink)
@@ -172,9 +196,8 @@ void read(const PdalSource& source, PointSink& sink)
   }
   const std::size_t announced =
       pipeline.makeReader(source.path, source.driver, options).preview().m_pointCount - source.first;
-  constexpr std::size_t most_points_per_byte = 8;  // of an E57: a bit each. PDAL would take its time for all of them
-  if (!is_las && announced / most_points_per_byte > std::filesystem::file_size(source.path)) {
-    throw std::runtime_error("it announces " + std::to_string(announced) + " points, for which it is too short");
+  if (!is_las) {
+    check_e57(source.path);
   }
   pipeline.prepare();
   pipeline.execute();
@@ -209,6 +232,8 @@ void pcl_pds_recon_read_with_pdal(const PdalSource& source, PointSink& sink, std
 {
   try {
     read(source, sink);
+  } catch (const InvalidInput& error) {
+    complaint = error.what();
   } catch (const std::bad_alloc&) {
     complaint = "PDAL asks for more memory than there is; the file is damaged, or too large for this machine";
   } catch (const std::exception& error) {

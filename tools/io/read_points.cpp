@@ -3,6 +3,7 @@
 
 #include "io/atomic_file.h"
 #include "io/byte_source.h"
+#include "io/e57_file.h"
 #include "io/file_extension.h"
 #include "io/las_reader.h"
 #include "io/obj_reader.h"
@@ -82,7 +83,7 @@ PointTable read_by_extension(const std::string& path, const Parallel& parallel)
     return read_laz(path, parallel);
   }
   if (extension == ".e57") {
-    static_cast<void>(ByteSource::from_file(path));  // says in our words if there is no such file
+    static_cast<void>(E57File(ByteSource::from_file(path)));  // says in our words if it is none
     return read_e57(path);
   }
   if (extension == ".obj") {
