@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/certificate.h>
 #include <pcl_pds_recon/edge_flips.h>
+#include <pcl_pds_recon/fold_removal.h>
 #include <pcl_pds_recon/geodesic_voronoi.h>
 #include <pcl_pds_recon/handle_removal.h>
 #include <pcl_pds_recon/hole_filling.h>
+#include <pcl_pds_recon/mesh_cleaning.h>
 #include <pcl_pds_recon/orientation.h>
 #include <pcl_pds_recon/outward_normals.h>
 #include <pcl_pds_recon/placement.h>
@@ -125,6 +127,8 @@ class Run
     if (found_.points.smoothed && limits.perimeter > 0) {
       dual.filled_holes += fill_gaps(complex, dual.seeds, bordering, limits);
       remove_small_handles(complex, bordering, limits);
+      remove_folds(complex, bordering, limits);
+      clean_mesh(complex, dual.seeds);
     }
 
     clock_.start("orientation", 0.95, report_.seconds.orientation);
