@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -9,33 +8,13 @@
 #include "core_testing.h"
 #include "crease_cover.h"
 #include "io/ply_header.h"
-#include "io/read_points.h"
+#include "scan.h"
 
 /** \brief Real scans, where they are at hand: what holds for any cloud, and how whole the meshes are. */
 namespace pds_test
 {
 namespace
 {
-
-std::string path_of(const std::string& file) { return std::string(SCAN_DIRECTORY) + "/" + file; }
-
-bool is_absent(const std::string& file) { return !std::filesystem::exists(path_of(file)); }
-
-#define SKIP_IF_ABSENT(file) \
-  if (is_absent(file)) GTEST_SKIP() << path_of(file) << " is not there (CMake option PCL_PDS_RECON_SCAN_DIR)"
-
-/** \brief A scan as its file gives it, with normals and sensor if there are any. */
-struct Scan
-{
-  explicit Scan(const std::string& file) : table(pds::read_points(path_of(file), pds::Parallel()))
-  {
-    const pds::PointCloudView view = table.view();
-    for (std::size_t i = 0; i < view.size; ++i) points.push_back(view.positions[i]);
-  }
-
-  pds::PointTable table;
-  Points points;
-};
 
 pds::Options adaptive(double coefficient)
 {
