@@ -2,6 +2,7 @@
 #include "printable.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <boost/locale/utf.hpp>
 
 namespace pds
 {
@@ -9,31 +10,34 @@ namespace pds
 namespace
 {
 
-constexpr unsigned char delete_character = 0x7F;
-constexpr unsigned char lead_of_controls = 0xC2;  // in UTF-8 the control characters 0x80 ... 0x9F are two bytes
-constexpr unsigned char first_control = 0x80;
-constexpr unsigned char last_control = 0x9F;
+namespace utf = boost::locale::utf;
+
+bool is_control(utf::code_point letter)
+{
+  constexpr utf::code_point blank = 0x20;
+  constexpr utf::code_point delete_character = 0x7F;
+  constexpr utf::code_point last_control = 0x9F;
+  return letter < blank || (letter >= delete_character && letter <= last_control);
+}
 
 }  // namespace
 
 std::string printable(const std::string& text)
 {
   std::string line;
-  unsigned char previous = 0;
-  for (const char letter : text) {
-    const auto byte = static_cast<unsigned char>(letter);
-    const bool is_wide_control = previous == lead_of_controls && byte >= first_control && byte <= last_control;
+  for (auto place = text.begin(); place != text.end();) {
+    const auto begin = place;
+    const utf::code_point letter = utf::utf_traits<char>::decode(place, text.end());
     if (letter == '\n') {
       line += "\\n";
-    } else if (byte < ' ' || byte == delete_character) {
-      line += fmt::format("\\x{:02x}", byte);
-    } else if (is_wide_control) {
-      line.pop_back();
-      line += fmt::format("\\u00{:02x}", byte);
+    } else if (!utf::is_valid_codepoint(letter)) {  // no UTF-8, but bytes of a damaged file
+      place = begin + 1;
+      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(*begin));
+    } else if (is_control(letter)) {
+      line += fmt::format("\\x{:02x}", letter);
     } else {
-      line += letter;
+      line.append(begin, place);
     }
-    previous = byte;
   }
   return line;
 }

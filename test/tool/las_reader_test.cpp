@@ -175,7 +175,10 @@ TEST(LasReader, complains_of_a_header_that_announces_too_few_points)
   const std::string point = las_record(4, 5, 6, 2) + std::string(4, '\0');
   EXPECT_NE(complaint_with(4, 0, point).find("goes on after the last point"), std::string::npos);
   EXPECT_NE(complaint_with(2, 0, point).find("goes on after the last point"), std::string::npos);
-  EXPECT_EQ(complaint_with(4, 1, point + point), "") << "an extended variable-length record";
+  const std::string record = std::string(20, '\0') + bytes_of(std::uint64_t{20}) + std::string(32, '\0') + point;
+  EXPECT_EQ(complaint_with(4, 1, record), "") << "an extended variable-length record";
+  EXPECT_NE(complaint_with(4, 1, record.substr(0, 79)).find("extended records"), std::string::npos);
+  EXPECT_NE(complaint_with(4, 2, record).find("extended records"), std::string::npos);
   EXPECT_EQ(complaint_with(4, 0, "padding"), "");
 }
 
@@ -214,6 +217,10 @@ TEST(LasReader, names_what_is_wrong)
   EXPECT_NE(with(96, std::uint32_t{10}).find("inside the header"), std::string::npos);
   EXPECT_NE(with(96, std::uint32_t{4000000000}).find("cut short"), std::string::npos);
   EXPECT_NE(with(107, std::uint32_t{4000000000}).find("cut short"), std::string::npos);
+  EXPECT_NE(with(24, std::uint8_t{2}).find("unknown version 2.2"), std::string::npos);
+  EXPECT_NE(with(25, std::uint8_t{5}).find("unknown version 1.5"), std::string::npos);
+  EXPECT_NE(with(104, std::uint8_t{6}).find("version 1.2 does not have"), std::string::npos);
+  EXPECT_NE(with(100, std::uint32_t{1}).find("records"), std::string::npos);
   EXPECT_NE(with(131, 0.0).find("scale"), std::string::npos);
   EXPECT_NE(with(131, -0.001).find("scale"), std::string::npos);
   EXPECT_NE(with(187, std::numeric_limits<double>::infinity()).find("bounds"), std::string::npos);

@@ -24,8 +24,9 @@ using Tree = boost::property_tree::ptree;
 /** A field of the points, whose scalars fill a stream. */
 struct Stream
 {
-  unsigned bits = 0;  ///< of a scalar; 0 if that says nothing: text, and numbers that are all the same
+  unsigned bits = 0;  ///< of a scalar; 0 if all are the same number, or if it is text
   bool is_float = false;
+  bool is_text = false;
   std::uint64_t bytes = 0;
 };
 
@@ -74,7 +75,7 @@ Stream make_stream(const Tree& field)
     using Limits = std::numeric_limits<std::int64_t>;
     return {bits_of_integers(attribute(field, "minimum", Limits::min()), attribute(field, "maximum", Limits::max()))};
   }
-  return {};
+  return {0, false, true};
 }
 
 /** The fields in the order of their streams; those of a structure stand where it stands. */
@@ -138,6 +139,9 @@ void check_count(const E57File& file, const Tree& points)
   constexpr double word_bits = 64;  // the longest that integers are packed into
   for (const Stream& stream : streams) {
     if (stream.bits == 0) {
+      if (!stream.is_text && stream.bytes > 0) {
+        throw_damaged("an E57 description with a constant field that is none");
+      }
       continue;
     }
     const double bits = 8 * static_cast<double>(stream.bytes);

@@ -21,6 +21,7 @@ namespace
 static_assert(boost::endian::order::native == boost::endian::order::little, "LAS files are little endian");
 
 // ASPRS LAS 1.4 R15, table 3: places in the public header block.
+constexpr std::size_t major_version_at = 24;
 constexpr std::size_t minor_version_at = 25;
 constexpr std::size_t header_bytes_at = 94;
 constexpr std::size_t point_format_at = 104;
@@ -64,6 +65,22 @@ std::size_t parse_point_format(std::uint8_t code, LasCompression compression)
   return format;
 }
 
+/** Whether it is one of the standard's, and has the point format. */
+void check_version(const std::string& header, std::size_t point_format)
+{
+  const auto major = number_at<std::uint8_t>(header.data() + major_version_at);
+  const auto minor = number_at<std::uint8_t>(header.data() + minor_version_at);
+  constexpr std::size_t first_format_of_1_4 = 6;
+  if (major != 1 || minor > 4) {
+    throw InvalidInput("is LAS of the unknown version " + std::to_string(major) + "." + std::to_string(minor) +
+                       ": it is damaged or too new; convert it to LAS 1.4");
+  }
+  if (minor < 4 && point_format >= first_format_of_1_4) {
+    throw_damaged("point format " + std::to_string(point_format) + ", which version 1." + std::to_string(minor) +
+                  " does not have");
+  }
+}
+
 std::uint64_t parse_count(const std::string& header)
 {
   const auto legacy_count = number_at<std::uint32_t>(header.data() + legacy_count_at);
@@ -77,18 +94,20 @@ std::uint64_t parse_count(const std::string& header)
   return number_at<std::uint64_t>(header.data() + count_at);
 }
 
-std::size_t parse_end(const std::string& header, std::size_t point_format, std::size_t file_bytes)
+void parse_end(const std::string& bytes, std::size_t file_bytes, LasHeader& header)
 {
-  const auto minor_version = number_at<std::uint8_t>(header.data() + minor_version_at);
+  const auto minor_version = number_at<std::uint8_t>(bytes.data() + minor_version_at);
   std::uint64_t end = file_bytes;
-  if (minor_version >= 3 && las_has_waveforms(point_format) && header.size() >= header_bytes_1_3) {
-    const auto waveforms = number_at<std::uint64_t>(header.data() + waveforms_at);
+  if (minor_version >= 3 && las_has_waveforms(header.point_format) && bytes.size() >= header_bytes_1_3) {
+    const auto waveforms = number_at<std::uint64_t>(bytes.data() + waveforms_at);
     end = waveforms == 0 ? end : std::min(end, waveforms);  // 0: they are in a file of their own
   }
-  if (minor_version >= 4 && number_at<std::uint32_t>(header.data() + las_extended_record_count_at) > 0) {
-    end = std::min(end, number_at<std::uint64_t>(header.data() + extended_records_at));
+  if (minor_version >= 4) {
+    header.extended_count = number_at<std::uint32_t>(bytes.data() + las_extended_record_count_at);
+    header.extended_begin = number_at<std::uint64_t>(bytes.data() + extended_records_at);
+    end = header.extended_count > 0 ? std::min(end, header.extended_begin) : end;
   }
-  return end;
+  header.end = end;
 }
 
 /** \return whether all are numbers */
@@ -149,12 +168,13 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   }
   LasHeader header;
   header.point_format = parse_point_format(number_at<std::uint8_t>(bytes.data() + point_format_at), compression);
+  check_version(bytes, header.point_format);
   header.header_bytes = number_at<std::uint16_t>(bytes.data() + header_bytes_at);
   header.record_count = number_at<std::uint32_t>(bytes.data() + las_record_count_at);
   header.record_bytes = number_at<std::uint16_t>(bytes.data() + record_bytes_at);
   header.begin = number_at<std::uint32_t>(bytes.data() + las_begin_at);
   header.count = parse_count(bytes);
-  header.end = parse_end(bytes, header.point_format, source.size());
+  parse_end(bytes, source.size(), header);
   header.scale = number_at<std::array<double, 3>>(bytes.data() + scale_at);
   header.offset = number_at<std::array<double, 3>>(bytes.data() + offset_at);
   if (!parse_bounds(bytes, header)) {
@@ -171,6 +191,9 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   }
   if (header.begin < std::max(header.header_bytes, header_bytes)) {
     throw_damaged("points inside the header");
+  }
+  if (header.record_count > (header.begin - header.header_bytes) / las_record_head_bytes) {
+    throw_damaged("records that reach into the points");
   }
   if (header.begin > source.size()) {
     throw_cut_short();

@@ -16,6 +16,8 @@ inline constexpr std::size_t las_record_count_at = 100;
 inline constexpr std::size_t las_extended_record_count_at = 243;  ///< from version 1.4 on
 inline constexpr std::size_t las_header_bytes_1_4 = 375;
 
+inline constexpr std::size_t las_record_head_bytes = 54;  ///< before the content of a variable-length record
+
 /** \brief How the point records are stored. */
 enum class LasCompression
 {
@@ -37,6 +39,8 @@ struct LasHeader
   std::array<double, 3> greatest{};  ///< likewise
   std::size_t header_bytes = 0;      ///< where the variable-length records begin
   std::uint32_t record_count = 0;    ///< variable-length records
+  std::uint64_t extended_begin = 0;  ///< of the extended variable-length records
+  std::uint32_t extended_count = 0;
 };
 
 /** \brief Reads the header of a LAS file, version 1.0 to 1.4.

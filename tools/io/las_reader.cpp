@@ -6,6 +6,7 @@
 #include "io/las_extra_bytes.h"
 #include "io/las_header.h"
 #include "io/las_layout.h"
+#include "io/las_records.h"
 #include "io/number_at.h"
 #include "io/record_reader.h"
 #include "io/sentence_list.h"
@@ -182,6 +183,7 @@ std::string what_is_not_read(const LasHeader& header, const ExtraBytes& extra)
 PointTable read_las(const ByteSource& source, const Parallel& parallel)
 {
   const LasHeader header = read_las_header(source, LasCompression::none);
+  check_extended_records(source, header);
   const LasLayout layout = las_layout(header.point_format);
   const std::uint16_t divisor =
       layout.has_color() ? survey_colors(source, header, layout.color_at, parallel).divisor() : std::uint16_t{0};

@@ -40,4 +40,24 @@ std::optional<LasRecord> find_las_record(const ByteSource& source,
   return std::nullopt;
 }
 
+void check_extended_records(const ByteSource& source, const LasHeader& header)
+{
+  constexpr std::size_t head_bytes = 60;
+  constexpr std::size_t length_at = 20;
+  std::uint64_t place = header.extended_begin;
+  for (std::uint32_t i = 0; i < header.extended_count; ++i) {
+    std::uint64_t length = 0;
+    const bool has_head = place <= source.size() && head_bytes <= source.size() - place;
+    if (has_head) {
+      source.read(static_cast<std::size_t>(place) + length_at, &length, sizeof length);
+      place += head_bytes;
+    }
+    if (!has_head || length > source.size() - place) {
+      throw InvalidInput(
+          "has a LAS header with extended records that are not there: the file is cut short or damaged; copy it again");
+    }
+    place += length;
+  }
+}
+
 }  // namespace pds

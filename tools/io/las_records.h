@@ -9,8 +9,7 @@
 namespace pds
 {
 
-inline constexpr std::size_t las_record_head_bytes = 54;  ///< before the content of a variable-length record
-inline constexpr const char* las_user = "LASF_Spec";      ///< who has defined the records of the standard itself
+inline constexpr const char* las_user = "LASF_Spec";  ///< who has defined the records of the standard itself
 inline constexpr std::uint16_t extra_bytes_record_id = 4;
 
 /** \brief Where the content of a variable-length record lies in a LAS file. */
@@ -28,5 +27,9 @@ struct LasRecord
                                                        const LasHeader& header,
                                                        std::string_view user,
                                                        std::uint16_t id);
+
+/** \brief Goes through the extended variable-length records, which lie at the end of a file, to see whether it is
+ * whole. \throws InvalidInput if they do not fit */
+void check_extended_records(const ByteSource& source, const LasHeader& header);
 
 }  // namespace pds

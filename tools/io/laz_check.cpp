@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/laz_check.h"
 
+#include "io/las_records.h"
 #include "io/laszip_record.h"
 #include "io/record_reader.h"
 
@@ -103,6 +104,7 @@ LazParts check_laz(const ByteSource& source)
   LazParts parts;
   parts.header = read_las_header(source, LasCompression::laszip);
   const LasHeader& header = parts.header;
+  check_extended_records(source, header);
   const LaszipRecord record = read_laszip_record(source, header);
   parts.table_at = find_table(source, header);
   constexpr std::size_t version_bytes = 4;
