@@ -148,13 +148,13 @@ PointTable read_laz(const std::string& path, const Parallel& parallel)
   const LazParts parts = check_laz(source);
   const LazCopy copy(source, parts);
   PointTable table = read_with_pdal({copy.path(), "readers.las"});
-  check_las_bounds(parts.header, table, parallel);
   if (parts.header.point_format < first_layered_format && table.size() > 0) {
     copy.drop_last_byte();
     if (has_last_point(copy, table.size())) {
       throw_data_after_points();
     }
   }
+  check_las_bounds(parts.header, table, parallel);  // last: no process is made while threads start
   return table;
 }
 
