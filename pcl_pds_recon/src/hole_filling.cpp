@@ -25,7 +25,6 @@ constexpr double widening = 1.5;          // how much longer a hole may get by m
 // Noisy scans tear and leave gaps, whose frayed rims are longer than those of a cut hole of their size.
 constexpr double gap_perimeter = 1.5;      // of a circle as large as the gap, in limits of the perimeter ...
 constexpr double gap_share = 1.0 / 500.0;  // ... and this share of its component's area: beyond it may be an opening
-constexpr double gap_chord = 6.0;          // radii; such a circle is 7 wide
 constexpr double gap_facing = 0.0;         // cosine: faces of the filling are not beyond the crease
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

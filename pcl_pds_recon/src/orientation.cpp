@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "surface_integrals.h"
 
 namespace pds
 {
@@ -23,51 +24,30 @@ class Component
       triangles.push_back(t);
       for (std::size_t e = 0; e < 3; ++e)
         if (complex.other_face(f, t[e], t[(e + 1) % 3]) == TriangleComplex::no_face) closed_ = false;
-      const Vector3d area = area_vector(t);
-      area_vector_ += area;
-      area_ += area.norm();
-      centroid_ += area.norm() * (position_[t[0]] + position_[t[1]] + position_[t[2]]) / 3.0;
     }
-    if (area_ > 0) centroid_ /= area_;
+    integrals_ = integrate(triangles, position_);
   }
 
   /** \brief Positive if the faces point outside as far as anybody can tell. */
   [[nodiscard]] double outwardness(const OrientationCues& cues) const
   {
     double vote = 0;
-    if (closed_) return volume();
+    if (closed_) return integrals_.volume;
     if (!cues.normal.empty()) vote = agreement(cues.normal);
     if (vote == 0 && !cues.viewpoint.empty()) vote = facing(cues.viewpoint);
-    if (vote == 0 && area_vector_.norm() > least_facing * area_) vote = upwardness();
-    return vote != 0 ? vote : volume();
+    if (vote == 0 && integrals_.faces_one_side()) vote = upwardness();
+    return vote != 0 ? vote : integrals_.volume;
   }
 
   std::vector<Triangle> triangles;
 
  private:
-  // A surface whose area vectors add up to this share of its area faces one side as a whole: terrain with walls and
-  // trees has 0.3 and more, a shape that is nearly closed less than 0.1.
-  static constexpr double least_facing = 0.15;
-
-  [[nodiscard]] Vector3d area_vector(const Triangle& t) const
-  {
-    return 0.5 * (position_[t[1]] - position_[t[0]]).cross(position_[t[2]] - position_[t[0]]);
-  }
-
-  /** \brief Signed volume of the cone over the faces from their centroid. */
-  [[nodiscard]] double volume() const
-  {
-    double sum = 0;
-    for (const Triangle& t : triangles) sum += area_vector(t).dot(position_[t[0]] - centroid_) / 3.0;
-    return sum;
-  }
-
   [[nodiscard]] double agreement(const std::vector<Vector3d>& normal) const
   {
     double sum = 0;
     for (const Triangle& t : triangles) {
       const Vector3d mean = normal[t[0]] + normal[t[1]] + normal[t[2]];
-      if (mean.allFinite()) sum += area_vector(t).dot(mean);
+      if (mean.allFinite()) sum += area_vector(t, position_).dot(mean);
     }
     return sum;
   }
@@ -77,24 +57,23 @@ class Component
     double sum = 0;
     for (const Triangle& t : triangles)
       for (const std::uint32_t v : t)
-        if (viewpoint[v].allFinite()) sum += area_vector(t).dot((viewpoint[v] - position_[v]).normalized());
+        if (viewpoint[v].allFinite()) sum += area_vector(t, position_).dot((viewpoint[v] - position_[v]).normalized());
     return sum;
   }
 
   /** \brief Sign of the first of z, y, x in which the area vector is not small. */
   [[nodiscard]] double upwardness() const
   {
+    const Vector3d& all = integrals_.area_vector;
     constexpr double small = 0.1;  // of the area vector's length
     for (const int axis : {2, 1, 0})
-      if (std::abs(area_vector_[axis]) > small * area_vector_.norm()) return area_vector_[axis];
+      if (std::abs(all[axis]) > small * all.norm()) return all[axis];
     return 0;
   }
 
   const std::vector<Vector3d>& position_;
   bool closed_ = true;
-  double area_ = 0;
-  Vector3d area_vector_ = Vector3d::Zero();
-  Vector3d centroid_ = Vector3d::Zero();
+  SurfaceIntegrals integrals_;
 };
 
 /** \brief Where the sensor stood that saw a point; NaN if nobody says. */

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
-#include "point_grid.h"
 #include "polygon_triangulation.h"
+#include "seed_grid.h"
+#include "surface_integrals.h"
 
 namespace pds
 {
@@ -25,9 +28,9 @@ using Eigen::Vector3d;
 constexpr double narrow = 2.5;              // a gap across which the surface may be taken to go on
 constexpr double highest_step = 1.0 / 3.0;  // in such a gap: an interval at the default factor; sheets may be as near
 constexpr double longest_chord = longest_dual_edge;   // between seeds, which lie behind the rims of their cells
-constexpr double longest_other_chord = 6.0;           // of the first two faces: as in other gaps of noisy scans
 constexpr double in_plane = 0.7;                      // cosine: a face within 45 degrees of the plane of a cell
 constexpr std::ptrdiff_t least_corners_in_plane = 2;  // of three; the last cell before a gap may have no plane
+constexpr double least_bulge = 0.3;                   // of a ball's: as a cap of 17 degrees to all sides has it
 constexpr double smallest_angle = 2.2;                // radians between faces at an edge: the surface goes on
 
 /** \brief A chord between two vertices on rims. */
@@ -39,38 +42,6 @@ struct Chord
 
 bool operator<(const Chord& x, const Chord& y) { return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b); }
 
-/** \brief Seeds, for visits to all that are near some place. */
-class SeedGrid
-{
- public:
-  SeedGrid(const std::vector<Vector3d>& position, const std::vector<std::uint32_t>& seeds)
-      : position_(position), box_(box_of(position)), grid_(position, seeds, longest_chord, box_.min(), extent(box_))
-  {
-  }
-
-  /** \brief Calls visit() for all of the seeds nearer to \a place than \a reach, at most longest_chord. */
-  template <typename Visit>
-  void visit_near(const Vector3d& place, double reach, const Visit& visit) const
-  {
-    grid_.visit_near(place, [&](std::uint32_t seed) {
-      if ((position_[seed] - place).squaredNorm() < reach * reach) visit(seed);
-    });
-  }
-
- private:
-  static Eigen::AlignedBox3d box_of(const std::vector<Vector3d>& position)
-  {
-    Eigen::AlignedBox3d box(Vector3d::Zero());
-    for (const Vector3d& p : position) box.extend(p);
-    return box;
-  }
-  static double extent(const Eigen::AlignedBox3d& box) { return box.sizes().maxCoeff(); }
-
-  const std::vector<Vector3d>& position_;
-  Eigen::AlignedBox3d box_;
-  PointGrid grid_;
-};
-
 class RimJoiner
 {
  public:
@@ -81,9 +52,14 @@ class RimJoiner
       : complex_(complex), seeds_(seeds), bordering_(bordering), limits_(limits), part_of_(seeds.position.size())
   {
     for (const std::vector<std::uint32_t>& faces : complex.components()) {
-      for (const std::uint32_t f : faces)
-        for (const std::uint32_t v : complex.oriented(f)) part_of_[v] = static_cast<std::uint32_t>(parts_.size());
-      parts_.push_back({faces.size(), {}});
+      std::vector<Triangle> triangles;
+      triangles.reserve(faces.size());
+      for (const std::uint32_t f : faces) triangles.push_back(complex.oriented(f));
+      for (const Triangle& t : triangles)
+        for (const std::uint32_t v : t) part_of_[v] = static_cast<std::uint32_t>(parts_.size());
+      const SurfaceIntegrals integrals = integrate(triangles, seeds.position);
+      parts_.push_back(
+          {faces.size(), faces.front(), triangles.front(), integrals.bulge(), !integrals.faces_one_side(), {}});
     }
   }
 
@@ -108,6 +84,10 @@ class RimJoiner
   struct Part
   {
     std::size_t faces;
+    std::uint32_t first;  ///< of its faces ...
+    Triangle corners;     ///< ... as they ran then ...
+    double bulge;         ///< ... and how much the part bulges to the side it faces so
+    bool nearly_closed;
     std::vector<std::uint32_t> joined;  ///< to these others, which form no ring
   };
   using Neighbors = std::vector<std::uint32_t>;
@@ -136,9 +116,9 @@ class RimJoiner
     std::vector<std::uint32_t> rim;
     std::copy_if(all.begin(), all.end(), std::back_inserter(rim),
                  [this](std::uint32_t v) { return !rim_neighbors(v).empty(); });
-    const SeedGrid seeds(seeds_.position, all);
+    const SeedGrid seeds(seeds_.position, all, longest_chord);
     std::vector<Chord> chords;
-    const SeedGrid on_rim(seeds_.position, rim);
+    const SeedGrid on_rim(seeds_.position, rim, longest_chord);
     for (const std::uint32_t a : rim)
       on_rim.visit_near(seeds_.position[a], longest_chord, [&](std::uint32_t b) {
         if (a < b && !complex_.has_edge(a, b) && (bordering_(a, b) || is_narrow(a, b, seeds)))
@@ -206,8 +186,7 @@ class RimJoiner
     std::vector<Chord> others;
     for (const std::uint32_t a : rim_neighbors(chord.a))
       for (const std::uint32_t b : rim_neighbors(chord.b))
-        if (a != b && a != chord.b && b != chord.a && length(a, b) < longest_other_chord)
-          others.push_back({length(a, b), a, b});
+        if (a != b && a != chord.b && b != chord.a && length(a, b) < gap_chord) others.push_back({length(a, b), a, b});
     std::sort(others.begin(), others.end());
     return std::any_of(others.begin(), others.end(),
                        [&](const Chord& other) { return join(chord, other, least_shut); });
@@ -220,7 +199,7 @@ class RimJoiner
     const bool begun = falling ? add(chord.a, chord.b, other.b) && add(chord.a, other.b, other.a)
                                : add(chord.a, chord.b, other.a) && add(chord.b, other.b, other.a);
     std::vector<std::uint32_t> passed;
-    if (begun) {
+    if (begun && outsides_agree(parts_[part_of_[chord.a]], parts_[part_of_[chord.b]])) {
       int shut = 0;
       for (const Chord& end : {chord, other}) shut += is_shut(zip(end.a, end.b, passed)) ? 1 : 0;
       if (shut >= least_shut) return true;
@@ -228,6 +207,18 @@ class RimJoiner
     complex_.undo_trial();
     for (const std::uint32_t v : passed) tried_[v] = 1;
     return false;
+  }
+
+  /** \brief False if the joint has made one surface of the outside of a part and the inside of the other. */
+  [[nodiscard]] bool outsides_agree(const Part& a, const Part& b) const
+  {
+    const auto bulge_now = [this](const Part& part) {
+      return complex_.oriented(part.first) == part.corners ? part.bulge : -part.bulge;
+    };
+    const bool clear =
+        (a.nearly_closed || b.nearly_closed) && std::min(std::abs(a.bulge), std::abs(b.bulge)) > least_bulge;
+    return !clear || is_speck(std::min(a.faces, b.faces), std::max(a.faces, b.faces)) ||
+           bulge_now(a) * bulge_now(b) > 0;
   }
 
   /** \brief Adds faces between the rims that go on from the two ends of a rim edge, as long as they fit.

@@ -85,6 +85,31 @@ TEST(RawScans, OfOneObjectBecomeOneSurfaceWithFewHoles)
   }
 }
 
+/** \brief A joint across a gap could make the outside of the foreleg that of the body's inside (sampling 3). */
+TEST(RawScans, HaveTheOutsideOutsideWithoutBeingTold)
+{
+  for (const char* file : {"dragon_stand_rawscans.ply", "bunny_rawscans.ply"}) {
+    SKIP_IF_ABSENT(file);
+    const Scan scan(file);
+    const pds::Vector3View normals = scan.table.view().normals;
+    ASSERT_TRUE(normals);
+    for (const std::uint32_t seed : {0U, 3U}) {
+      pds::Options options;
+      options.seed = seed;
+      const pds::Reconstruction mesh = pds::reconstruct(view_of(scan.points), options);
+      const Points position = vertex_positions(mesh, scan.points);
+      const auto agrees = [&](const auto& t) {
+        const auto normal = [&](std::size_t corner) { return normals[mesh.seeds[t[corner]]]; };
+        return (position[t[1]] - position[t[0]])
+                   .cross(position[t[2]] - position[t[0]])
+                   .dot(normal(0) + normal(1) + normal(2)) > 0;
+      };
+      const auto right = std::count_if(mesh.triangles.begin(), mesh.triangles.end(), agrees);
+      EXPECT_GE(static_cast<double>(right), 0.998 * static_cast<double>(mesh.triangles.size())) << file << ' ' << seed;
+    }
+  }
+}
+
 TEST(Dragon, IsNearlyWhole)
 {
   SKIP_IF_ABSENT("dragon_vrip.ply");

@@ -11,6 +11,10 @@
 namespace pds
 {
 
+/** \brief Longest new edge, in radii, where noisy scans leave gaps: a circle of 1.5 times the perimeter limit is 7
+ * wide. */
+constexpr double gap_chord = 6.0;
+
 /** \brief What a filling may do. Lengths are in radii. */
 struct FillLimits
 {
