@@ -170,7 +170,7 @@ TEST(PlyReader, finds_by_the_faces_that_the_number_of_vertices_is_wrong)
   const std::string face = bytes_of(std::uint8_t{3}) + bytes_of(0) + bytes_of(1) + bytes_of(2);
   std::string points;
   for (const float x : {1.F, 2.F, 3.F, 4.F}) {
-    points += bytes_of(x) + bytes_of(2.F) + bytes_of(3.F);
+    points.append(bytes_of(x)).append(bytes_of(2.F)).append(bytes_of(3.F));
   }
   const auto complaint_about = [&](const char* vertices, const std::string& body) {
     return complaint([&] { return read_ply(header("binary_little_endian", vertices, xyz_float + faces) + body); });
