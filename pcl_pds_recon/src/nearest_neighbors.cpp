@@ -6,6 +6,7 @@
 #include <utility>
 #include "box_tree.h"
 #include "neighbor_kernel.h"
+#include "parallel_parts.h"
 
 namespace pds
 {
@@ -82,23 +83,22 @@ class GroupSearch
   {
   }
 
-  /** \param rows receives k indices for every point of the leaves, at its index times k */
+  /** \param rows receives k indices for every point of the leaves */
   void search(std::size_t begin_leaf, std::size_t end_leaf, std::uint32_t* rows)
   {
     if (expected_ <= 0) {
-      const std::size_t first = begin_leaf * BoxTree::leaf_size;
-      expected_ = single_.search(static_cast<std::uint32_t>(first), rows + first * k_);
+      expected_ = single_.search(static_cast<std::uint32_t>(begin_leaf * BoxTree::leaf_size), rows);
     }
     const float squared_reach = reach_growth * expected_;
     if (gather(tree_.box_of(begin_leaf, end_leaf), squared_reach, of_group_.columns)) {
       for (std::size_t leaf = begin_leaf; leaf < end_leaf; ++leaf) {
         kernel_.filter(of_group_.columns, tree_.box_of(leaf, leaf + 1), squared_reach, of_leaf_.columns);
-        search_leaf(leaf, squared_reach, rows);
+        search_leaf(leaf, squared_reach, rows_of(leaf, begin_leaf, rows));
       }
     } else if (end_leaf - begin_leaf > 1) {
       const std::size_t middle = (begin_leaf + end_leaf) / 2;
       search(begin_leaf, middle, rows);
-      search(middle, end_leaf, rows);
+      search(middle, end_leaf, rows_of(middle, begin_leaf, rows));
     } else {
       of_leaf_.columns.count = 0;
       search_leaf(begin_leaf, 0.0F, rows);
@@ -112,6 +112,11 @@ class GroupSearch
   // for 97 of 100 points, 2.2 for 99, and few superfluous ones.
   static constexpr float bound_growth = 1.5F;
   static constexpr float reach_growth = 2.2F;
+
+  [[nodiscard]] std::uint32_t* rows_of(std::size_t leaf, std::size_t first_leaf, std::uint32_t* rows) const
+  {
+    return rows + (leaf - first_leaf) * BoxTree::leaf_size * k_;
+  }
 
   /** \brief Collects the points of all leaves within reach of a box; false if these are too many. */
   bool gather(const Box& box, float squared_reach, CandidateColumns& to)
@@ -131,8 +136,8 @@ class GroupSearch
 
   void search_leaf(std::size_t leaf, float squared_reach, std::uint32_t* rows)
   {
-    for (std::size_t i = leaf * BoxTree::leaf_size; i < tree_.leaf_end(leaf); ++i)
-      expect(search_point(static_cast<std::uint32_t>(i), squared_reach, rows + i * k_));
+    for (std::size_t i = leaf * BoxTree::leaf_size; i < tree_.leaf_end(leaf); ++i, rows += k_)
+      expect(search_point(static_cast<std::uint32_t>(i), squared_reach, rows));
   }
 
   /** \brief Learns from a point's result: slowly to expect more, which a single stray must not do, fast to expect less.
@@ -182,6 +187,13 @@ class GroupSearch
   SelectionBuffer selection_;
 };
 
+float mean_distance(const PointArray<Eigen::Vector3f>& position, std::size_t i, const std::uint32_t* row, std::size_t k)
+{
+  float sum = 0;
+  for (std::size_t j = 0; j < k; ++j) sum += (position[row[j]] - position[i]).norm();
+  return sum / static_cast<float>(k);
+}
+
 }  // namespace
 
 PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& position,
@@ -196,7 +208,7 @@ PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& p
   parallel.blocks(tree.leaf_count(), leaves_per_block, [&](std::size_t begin, std::size_t end, unsigned) {
     GroupSearch search(tree, position, k, kernel);
     for (std::size_t leaf = begin; leaf < end; leaf += leaves_per_group)
-      search.search(leaf, std::min(leaf + leaves_per_group, end), neighbors.data());
+      search.search(leaf, std::min(leaf + leaves_per_group, end), neighbors.data() + leaf * BoxTree::leaf_size * k);
   });
   return neighbors;
 }
@@ -206,6 +218,30 @@ PointArray<std::uint32_t> nearest_neighbors(const PointArray<Eigen::Vector3f>& p
                                             const Parallel& parallel)
 {
   return nearest_neighbors(position, k, *neighbor_kernels().back(), parallel);
+}
+
+PointArray<NeighborDistance> sample_neighbor_distances(const PointArray<Eigen::Vector3f>& position,
+                                                       std::size_t k,
+                                                       const Parallel& parallel)
+{
+  constexpr std::size_t wanted_leaves = 1024;
+  constexpr std::size_t leaves_per_block = 64;
+  const NeighborKernel& kernel = *neighbor_kernels().back();
+  const BoxTree tree(position, kernel, parallel);
+  const std::size_t step = std::max<std::size_t>(tree.leaf_count() / wanted_leaves, 1);
+  using Distances = std::vector<NeighborDistance>;
+  const auto search = [&](std::size_t begin, std::size_t end, Distances& distances) {
+    GroupSearch group(tree, position, k, kernel);
+    std::vector<std::uint32_t> rows(BoxTree::leaf_size * k);
+    for (std::size_t leaf = begin * step; leaf < std::min(end * step, tree.leaf_count()); leaf += step) {
+      group.search(leaf, leaf + 1, rows.data());
+      const std::uint32_t* row = rows.data();
+      for (std::size_t i = leaf * BoxTree::leaf_size; i < tree.leaf_end(leaf); ++i, row += k)
+        distances.push_back({static_cast<std::uint32_t>(i), mean_distance(position, i, row, k)});
+    }
+  };
+  const std::size_t leaves = (tree.leaf_count() + step - 1) / step;
+  return joined(parallel_parts<Distances>(leaves, leaves_per_block, parallel, search), parallel);
 }
 
 }  // namespace pds

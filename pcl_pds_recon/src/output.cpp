@@ -57,7 +57,10 @@ class LabelsBeside
                             const NearestSeeds& nearest) const
   {
     Label label{nearest.seed[0], NearestSeeds::infinity};
+    // What is farther from the representative by more than both ways to it and back remains farther.
+    const float farthest = nearest.distance[0] + 2 * (point - representative).norm();
     for (std::size_t i = 0; i < NearestSeeds::capacity && nearest.seed[i] != NearestSeeds::none; ++i) {
+      if (nearest.distance[i] > farthest) break;
       const Eigen::Vector3f& seed = seed_position_[nearest.seed[i]];
       const float there = (representative - seed).squaredNorm();
       const float here = (point - seed).squaredNorm();

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "preparation.h"
 
+#include <pcl_pds_recon/nearest_neighbors.h>
 #include <pcl_pds_recon/outliers.h>
 #include <pcl_pds_recon/scan_noise.h>
 #include <pcl_pds_recon/sheet_separation.h>
 #include <pcl_pds_recon/thinning.h>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace pds
 {
@@ -17,6 +21,10 @@ namespace
 
 constexpr int most_sortings = 2;    // of outliers; more find little
 constexpr int most_smoothings = 4;  // noise of one interval takes three; what is left then is no surface
+
+// Sampling intervals of deviation from a plane part that is thinned before noise is looked for: as much as would be
+// noise.
+constexpr double thickest_plane = 0.1;
 
 bool radius_is_absolute(const Options& options)
 {
@@ -27,73 +35,185 @@ bool radius_is_absolute(const Options& options)
  *
  * k neighbours lie on a disk of k / n of the area, at 2/3 of its radius in the mean; Poisson-disk samples are so dense
  * that their number times the squared radius is 0.65 of the area. */
-double radius_for(std::uint64_t vertices, const Neighborhoods& found, int k)
+double radius_for(std::uint64_t vertices, std::size_t points, double interval, int k)
 {
   constexpr double density = 0.65;
   constexpr double pi = 3.14159265358979323846;
-  const double area_of_point = pi * 9 / 4 * found.interval * found.interval / k;
-  return std::sqrt(density * static_cast<double>(found.points.size()) * area_of_point / static_cast<double>(vertices));
+  const double area_of_point = pi * 9 / 4 * interval * interval / k;
+  return std::sqrt(density * static_cast<double>(points) * area_of_point / static_cast<double>(vertices));
 }
 
 /** \brief Throws if so many vertices would be closer to each other than the least radius factor allows. */
-void require_enough_points(const Neighborhoods& found, const Options& options)
+void require_enough_points(const Neighborhoods& found, std::size_t points, const Options& options)
 {
   const double factor = found.radius / found.interval;
   if (factor >= least_radius_factor) return;
   const auto most = static_cast<std::uint64_t>(static_cast<double>(options.vertices) * factor * factor /
                                                (least_radius_factor * least_radius_factor));
-  throw InvalidInput("vertices: " + std::to_string(options.vertices) + " are too many for " +
-                     std::to_string(found.points.size()) + " points; ask for " + std::to_string(most) + " at most");
+  throw InvalidInput("vertices: " + std::to_string(options.vertices) + " are too many for " + std::to_string(points) +
+                     " points; ask for " + std::to_string(most) + " at most");
 }
+
+/** \brief The sampling interval of a cloud that may be thinned before its points are joined, from some of its points.
+ */
+class SampledInterval
+{
+ public:
+  SampledInterval(const OrderedPoints& points, int k, const Parallel& parallel)
+      : distances_(sample_neighbor_distances(points.position, static_cast<std::size_t>(k), parallel))
+  {
+    for (NeighborDistance& distance : distances_) distance.point = points.input_index[distance.point];
+  }
+
+  /** \brief Of those points that are no outliers. */
+  [[nodiscard]] double mean(const OrderedPoints& points) const
+  {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const NeighborDistance& distance : distances_) {
+      if (points.rank_of_input[distance.point] == no_rank) continue;
+      sum += static_cast<double>(distance.mean);
+      ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  }
+
+  /** \brief The mean, or the median if that is less: outliers that nobody has found yet do not widen it. */
+  [[nodiscard]] double cautious_mean(const OrderedPoints& points) const
+  {
+    std::vector<float> means;
+    for (const NeighborDistance& distance : distances_) means.push_back(distance.mean);
+    const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
+    std::nth_element(means.begin(), middle, means.end());
+    return std::min(mean(points), static_cast<double>(*middle));
+  }
+
+ private:
+  PointArray<NeighborDistance> distances_;  ///< by input index instead of rank
+};
+
+/** \brief The steps of find_neighborhoods(), and what they know about the cloud. */
+class Preparation
+{
+ public:
+  Preparation(const PointCloudView& cloud, const Options& options, const Parallel& parallel)
+      : cloud_(cloud),
+        options_(options),
+        parallel_(parallel),
+        fineness_(options.adaptive == 0 ? voxels_per_radius : voxels_per_adaptive_radius)
+  {
+  }
+
+  Neighborhoods run()
+  {
+    order();
+    join();
+    leave_out_outliers();
+    smooth();
+    found_.interval = found_.graph.sampling_interval;
+    found_.radius = radius_of(found_.interval);
+    if (options_.vertices > 0 && found_.interval > 0) require_enough_points(found_, points_of_surface(), options_);
+    if (radius_follows_interval() && found_.interval > 0) thin_for_radius();
+    PointArray<Reach>().swap(found_.graph.reach);  // of no more use
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool radius_follows_interval() const
+  {
+    return !radius_is_absolute(options_) && options_.max_error == 0;
+  }
+
+  /** \brief The distinct points that are no outliers, thinned ones among them. */
+  [[nodiscard]] std::size_t points_of_surface() const { return found_.points.size() + found_.points.thinned_points; }
+
+  [[nodiscard]] double radius_of(double interval) const
+  {
+    if (radius_is_absolute(options_)) return options_.radius / found_.points.unit;
+    if (options_.vertices == 0) return options_.radius_factor * interval;
+    return radius_for(options_.vertices, points_of_surface(), interval, options_.k_neighbors);
+  }
+
+  void order()
+  {
+    found_.points = radius_is_absolute(options_) ? order_and_thin_points(cloud_, options_.radius / fineness_, parallel_)
+                                                 : order_points(cloud_, parallel_);
+    if (options_.max_error == 0 && options_.adaptive == 0 && found_.points.thinned_points == 0) thin_planes();
+  }
+
+  void thin_planes()
+  {
+    if (found_.points.size() < fewest_points_to_thin_planes) return;
+    const SampledInterval sample(found_.points, options_.k_neighbors, parallel_);
+    const double interval = sample.cautious_mean(found_.points);
+    found_.points =
+        thin_plane_parts(std::move(found_.points), radius_of(interval), thickest_plane * interval, parallel_);
+    if (found_.points.thinned_points > 0) sample_ = sample;
+  }
+
+  void join()
+  {
+    found_.graph = {};  // before the next one is made: two of them would be the peak of the run's memory
+    found_.surface = {};
+    // A search that the caller brings knows nothing of smoothed positions.
+    PointCloudView searched = cloud_;
+    if (found_.points.smoothed) searched.neighbor_search = nullptr;
+    found_.graph = list_neighbors(found_.points, searched, options_.k_neighbors, parallel_);
+    found_.surface = estimate_surface(found_.points, found_.graph, parallel_);
+    separate_sheets(cloud_, found_.points, found_.graph, found_.surface, parallel_);
+    join_neighbors(found_.points, searched, found_.graph, parallel_);
+    if (sample_) restore_interval(found_.graph.sampling_interval);
+  }
+
+  /** \brief From that of all points that are left to that where none were left out. Smoothing does the same to both. */
+  void restore_interval(double& interval)
+  {
+    if (!found_.points.smoothed) unthinned_over_thinned_ = interval > 0 ? sample_->mean(found_.points) / interval : 1.0;
+    interval *= unthinned_over_thinned_;
+  }
+
+  void leave_out_outliers()
+  {
+    // Without their company, more outliers stand alone.
+    for (int round = 0; round < most_sortings; ++round) {
+      const std::vector<std::uint8_t> outlier = find_outliers(found_.points, found_.graph, parallel_);
+      if (outlier.empty()) break;
+      found_.points = without_outliers(std::move(found_.points), outlier, parallel_);
+      join();
+    }
+  }
+
+  void smooth()
+  {
+    for (int pass = 0; pass < most_smoothings && is_noisy(found_.points, found_.graph, parallel_); ++pass) {
+      found_.points.position = smooth_positions(found_.points, found_.graph, parallel_);
+      found_.points.smoothed = true;
+      join();
+    }
+  }
+
+  void thin_for_radius()
+  {
+    const std::size_t points = found_.points.size();
+    sample_.reset();
+    found_.points = thin_points(std::move(found_.points), found_.radius / fineness_, parallel_);
+    if (found_.points.size() < points) join();
+  }
+
+  const PointCloudView& cloud_;
+  const Options& options_;
+  const Parallel& parallel_;
+  double fineness_;  ///< voxels per radius, if all points are thinned
+  Neighborhoods found_;
+  std::optional<SampledInterval> sample_;  ///< if only plane parts have been thinned
+  double unthinned_over_thinned_ = 1;      ///< sampling interval
+};
 
 }  // namespace
 
 Neighborhoods find_neighborhoods(const PointCloudView& cloud, const Options& options, const Parallel& parallel)
 {
-  Neighborhoods found;
-  const double fineness = options.adaptive == 0 ? voxels_per_radius : voxels_per_adaptive_radius;
-  const auto thin = [&](double radius) {
-    found.points = thin_points(std::move(found.points), radius / fineness, parallel);
-  };
-  const auto join = [&] {
-    found.graph = {};  // before the next one is made: two of them would be the peak of the run's memory
-    found.surface = {};
-    // A search that the caller brings knows nothing of smoothed positions.
-    PointCloudView searched = cloud;
-    if (found.points.smoothed) searched.neighbor_search = nullptr;
-    found.graph = list_neighbors(found.points, searched, options.k_neighbors, parallel);
-    found.surface = estimate_surface(found.points, found.graph, parallel);
-    separate_sheets(cloud, found.points, found.graph, found.surface, parallel);
-    join_neighbors(found.points, searched, found.graph, parallel);
-  };
-  const bool absolute = radius_is_absolute(options);
-  found.points =
-      absolute ? order_and_thin_points(cloud, options.radius / fineness, parallel) : order_points(cloud, parallel);
-  join();
-  // Without their company, more outliers stand alone.
-  for (int round = 0; round < most_sortings; ++round) {
-    const std::vector<std::uint8_t> outlier = find_outliers(found.points, found.graph, parallel);
-    if (outlier.empty()) break;
-    found.points = without_outliers(std::move(found.points), outlier, parallel);
-    join();
-  }
-  for (int pass = 0; pass < most_smoothings && is_noisy(found.points, found.graph, parallel); ++pass) {
-    found.points.position = smooth_positions(found.points, found.graph, parallel);
-    found.points.smoothed = true;
-    join();
-  }
-  found.interval = found.graph.sampling_interval;
-  found.radius = absolute               ? options.radius / found.points.unit
-                 : options.vertices > 0 ? radius_for(options.vertices, found, options.k_neighbors)
-                                        : options.radius_factor * found.interval;
-  if (!absolute && options.max_error == 0 && found.interval > 0) {
-    if (options.vertices > 0) require_enough_points(found, options);
-    const std::size_t points = found.points.size();
-    thin(found.radius);
-    if (found.points.size() < points) join();
-  }
-  PointArray<Reach>().swap(found.graph.reach);  // of no more use
-  return found;
+  return Preparation(cloud, options, parallel).run();
 }
 
 Metric choose_metric(const Neighborhoods& found, const Options& options, const Parallel& parallel, Report& report)

@@ -23,4 +23,16 @@ namespace pds
                                                           std::size_t k,
                                                           const Parallel& parallel);
 
+/** \brief A point, and the mean distance to its k nearest neighbours. */
+struct NeighborDistance
+{
+  std::uint32_t point;
+  float mean;
+};
+
+/** \brief The same search for some 16,000 points that are spread evenly over the order, or all if there are fewer. */
+[[nodiscard]] PointArray<NeighborDistance> sample_neighbor_distances(const PointArray<Eigen::Vector3f>& position,
+                                                                     std::size_t k,
+                                                                     const Parallel& parallel);
+
 }  // namespace pds
