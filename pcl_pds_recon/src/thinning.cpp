@@ -77,7 +77,8 @@ OrderedPoints thin_points(OrderedPoints points, double voxel_side, const Paralle
     const VoxelRuns voxels(points.position, 0, points.size(), grid, parallel);
     if (!thinning_pays(points.size(), voxels.voxels())) break;
     if (voxels.voxels() < fewest_points_left) continue;
-    return keep_representatives(std::move(points), choose_representatives(points, voxels, parallel), parallel);
+    const Representatives representative = choose_representatives(points, voxels, parallel);
+    return keep_representatives(std::move(points), representative, parallel);
   }
   return points;
 }
