@@ -2,6 +2,7 @@
 #include <pcl_pds_recon/outliers.h>
 
 #include <algorithm>
+#include <vector>
 #include "spread.h"
 
 namespace pds

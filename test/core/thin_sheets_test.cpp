@@ -178,6 +178,21 @@ TEST_P(TwoSpheres, StayTwo)
   EXPECT_EQ(facts.euler(), 4);
 }
 
+TEST(NoisySheets, AreTheSameForAnyOrderAndNumberOfThreads)
+{
+  Points points = two_squares({2, 0.3, Layout::jittered}, small_cloud);
+  pds::Options options;
+  options.threads = 1;
+  const pds::Reconstruction one = reconstruct(points, options);
+  const Points of_one = vertex_positions(one, points);
+  Random(5).shuffle(points);
+  options.threads = 3;
+  const pds::Reconstruction three = reconstruct(points, options);
+  EXPECT_EQ(one.report.components, 2U);
+  EXPECT_EQ(of_one, vertex_positions(three, points));
+  EXPECT_EQ(one.triangles, three.triangles);
+}
+
 /** \brief Points at random leave rims ragged: there some sheets are joined. */
 TEST(NoisySheets, StayTwoInMostRandomSamples)
 {
