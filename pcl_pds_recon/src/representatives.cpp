@@ -51,10 +51,13 @@ OrderedPoints keep_representatives(OrderedPoints points,
       ++next;
     }
   });
+  // Representatives are close by in memory; for the points of the input, in whatever order, one look must do.
+  PointArray<std::uint32_t> rank_left(points.size());
+  parallel.each(points.size(), block, [&](std::size_t i) { rank_left[i] = new_rank[representative[i]]; });
   left.rank_of_input = std::move(points.rank_of_input);
   parallel.each(left.rank_of_input.size(), block, [&](std::size_t i) {
     std::uint32_t& rank = left.rank_of_input[i];
-    if (rank != no_rank) rank = new_rank[representative[rank]];
+    if (rank != no_rank) rank = rank_left[rank];
   });
   left.origin = points.origin;
   left.unit = points.unit;
