@@ -58,15 +58,25 @@ std::string complaint_with_bounds(const Triple& header_least, const Triple& head
   return complaint_about(file);
 }
 
-TEST(LasBounds, believe_the_truth)
+TEST(LasBounds, believe_the_truth) { EXPECT_EQ(complaint_about(terrain()), ""); }
+
+TEST(LasBounds, may_be_left_as_they_were_before_any_point)
 {
-  EXPECT_EQ(complaint_about(terrain()), "");
-  EXPECT_EQ(complaint_with_bounds({0, 0, 0}, {0, 0, 0}), "") << "not filled in";
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double limit = std::numeric_limits<double>::max();
+  for (const auto& [low, high] : {std::pair(0.0, 0.0), std::pair(infinity, -infinity), std::pair(-infinity, infinity),
+                                  std::pair(limit, -limit), std::pair(-limit, limit), std::pair(nan, nan)}) {
+    EXPECT_EQ(complaint_with_bounds({low, low, low}, {high, high, high}), "") << low << ' ' << high;
+    EXPECT_EQ(complaint_with_bounds({low, 5000000, 0}, {high, 5002000, 30}), "") << low << ' ' << high;
+    EXPECT_EQ(complaint_with_bounds({low, 5000010, 0}, {high, 5002000, 30}).find("has points outside"), 0U)
+        << low << ' ' << high;
+  }
 }
 
 TEST(LasBounds, show_a_wrong_scale_of_any_axis)
 {
-  for (const double factor : {1e-3, 0.1, 0.5, 2.0, 10.0, 1000.0}) {
+  for (const double factor : {1e-3, 0.1, 2.0, 10.0, 1000.0}) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Triple scale = true_scale;
       scale[axis] *= factor;
@@ -102,6 +112,30 @@ TEST(LasBounds, may_be_of_more_points_than_the_file_still_holds)
 {
   EXPECT_EQ(complaint_with_bounds({400000, 4900000, -100}, {700000, 5900000, 3000}), "");
   EXPECT_EQ(complaint_with_bounds(least, {501234.56, 5007890.12, 43.21}), "") << "cut off on one side";
+}
+
+TEST(LasBounds, may_be_round_multiples_of_what_the_points_span)
+{
+  for (const double ratio : {2.0, 2.5, 5.0, 10.0}) {
+    const Triple wide = {500000 + 1000 * ratio, 5000000 + 2000 * ratio, 30};
+    EXPECT_EQ(complaint_with_bounds(least, {wide[0], wide[1], 31}), "") << ratio << ": a corner, without the highest";
+    if (ratio != 10) {
+      EXPECT_EQ(complaint_with_bounds(least, wide), "") << ratio << ": a corner";
+      EXPECT_EQ(complaint_with_bounds(least, {wide[0], 5002000, 30}), "") << ratio << ": a strip";
+      EXPECT_EQ(complaint_with_bounds(least, {wide[0], wide[1], 30 * ratio}), "") << ratio << ": all three";
+    }
+  }
+}
+
+TEST(LasBounds, are_those_of_another_scale_only_if_all_six_are)
+{
+  const auto is_refused = [](const Triple& header_greatest) {
+    return complaint_with_bounds(least, header_greatest).find("those of another scale") != std::string::npos;
+  };
+  EXPECT_TRUE(is_refused({510000, 5020000, 300}));
+  EXPECT_TRUE(is_refused({510000, 5002000, 30})) << "nobody can tell it from a strip that holds lowest and highest";
+  EXPECT_FALSE(is_refused({510000, 5020000.2, 300}));
+  EXPECT_FALSE(is_refused({510000, 5020000, 301}));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pds
 {
@@ -39,9 +40,16 @@ struct Range
 /** What the header says about one coordinate. */
 struct Axis
 {
-  double scale;
-  double offset;
+  double scale = 1;
+  double offset = 0;
   Range bounds;
+
+  /** Writers that do not know the bounds leave zeros, infinities, or the limits from which they would have narrowed. */
+  [[nodiscard]] bool has_bounds() const
+  {
+    return std::isfinite(bounds.least) && std::isfinite(bounds.greatest) && bounds.least <= bounds.greatest &&
+           (bounds.least != 0 || bounds.greatest != 0);
+  }
 };
 
 constexpr double steps_of_rounding = 2;
@@ -78,44 +86,47 @@ double tolerance_of(const Axis& axis)
       field.name, axis.bounds.least, axis.bounds.greatest, i + 1, points.value(i, field)));
 }
 
-/** Whether a scale is one that people choose: 1, 2, 2.5 or 5 times a power of ten, within a relative \a error. */
-bool is_round(double scale, double error)
+void check_axis(const PointTable& points, const Field& field, const Axis& axis, const Range& found)
 {
-  const double decade = std::pow(10, std::floor(std::log10(scale) + error));
-  constexpr std::array<double, 5> leading = {1, 2, 2.5, 5, 10};
-  return std::any_of(leading.begin(), leading.end(),
-                     [&](double number) { return std::abs(scale / decade - number) <= error * number; });
-}
-
-/** Whether the integers of the file would fill its bounds with the same offset and another scale. */
-bool is_of_other_scale(const Axis& axis, const Range& found)
-{
-  constexpr double least_steps = 1000;  // below that most scales are round within the rounding of the bounds
-  const double steps = found.width() / axis.scale;
-  const double ratio = axis.bounds.width() / found.width();
-  const double error = 2 * steps_of_rounding / steps;  // at either end
-  const double offset = axis.bounds.least - ratio * (found.least - axis.offset);
-  return steps >= least_steps && std::abs(ratio - 1) > error && is_round(axis.scale * ratio, error) &&
-         std::abs(offset - axis.offset) <= steps_of_rounding * axis.scale * ratio;
-}
-
-void check_axis(const PointTable& points, const Field& field, const Axis& axis, const Parallel& parallel)
-{
-  const bool is_filled_in = axis.bounds.least != 0 || axis.bounds.greatest != 0;
-  if (!is_filled_in) {
-    return;
-  }
   const double tolerance = tolerance_of(axis);
   const Range allowed = {axis.bounds.least - tolerance, axis.bounds.greatest + tolerance};
-  const Range found = range_of(points, field, parallel);
   if (!(found.least >= allowed.least && found.greatest <= allowed.greatest)) {  // nor NaN
     throw_outside(points, field, allowed, axis);
   }
-  if (is_of_other_scale(axis, found)) {
-    throw InvalidInput(fmt::format(
-        "has bounds in its LAS header that are those of another scale than {} of {}: it is damaged; copy it again",
-        axis.scale, field.name));
+}
+
+/** The power of ten by which the scale is to be multiplied so that the points fill the bounds to the last step, if
+ * there is one. */
+std::optional<int> missing_decades(const Axis& axis, const Range& found)
+{
+  constexpr double least_steps = 1000;  // points that take fewer may fit by chance
+  const double width = axis.bounds.width();
+  if (!std::isfinite(width) || !(width > 0) || found.width() < least_steps * axis.scale) {
+    return std::nullopt;
   }
+  const int decades = static_cast<int>(std::lround(std::log10(width / found.width())));
+  const double factor = std::pow(10, decades);
+  const double rounding = axis.scale * factor / 2;
+  const auto is_at = [&](double coordinate, double bound) {
+    return std::abs(factor * (coordinate - axis.offset) + axis.offset - bound) < rounding;
+  };
+  const bool fits = is_at(found.least, axis.bounds.least) && is_at(found.greatest, axis.bounds.greatest);
+  return fits ? std::optional<int>(decades) : std::nullopt;
+}
+
+/** Whether other powers of ten as scales, with the same offsets, let the points fill all the bounds to the last step.
+ */
+bool are_of_other_scales(const std::array<Axis, 3>& axes, const std::array<Range, 3>& found)
+{
+  bool differ = false;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::optional<int> decades = missing_decades(axes[i], found[i]);
+    if (!decades) {
+      return false;
+    }
+    differ = differ || *decades != 0;
+  }
+  return differ;
 }
 
 }  // namespace
@@ -125,9 +136,18 @@ void check_las_bounds(const LasHeader& header, const PointTable& points, const P
   if (points.size() == 0) {
     return;
   }
-  for (std::size_t i = 0; i < position_fields.size(); ++i) {
-    const Axis axis = {header.scale[i], header.offset[i], {header.least[i], header.greatest[i]}};
-    check_axis(points, *points.find(position_fields.at(i)), axis, parallel);
+  std::array<Axis, 3> axes;
+  std::array<Range, 3> found;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Field& field = *points.find(position_fields.at(i));
+    axes[i] = {header.scale[i], header.offset[i], {header.least[i], header.greatest[i]}};
+    found[i] = range_of(points, field, parallel);
+    if (axes[i].has_bounds()) {
+      check_axis(points, field, axes[i], found[i]);
+    }
+  }
+  if (are_of_other_scales(axes, found)) {
+    throw InvalidInput("has bounds in its LAS header that are those of another scale: it is damaged; copy it again");
   }
 }
 

@@ -34,7 +34,6 @@ constexpr std::size_t header_bytes = 227;  // of versions 1.0 to 1.2
 constexpr std::size_t waveforms_at = 227;  // from version 1.3 on
 constexpr std::size_t header_bytes_1_3 = 235;
 constexpr std::size_t extended_records_at = 235;  // from version 1.4 on
-constexpr std::size_t count_at = 247;             // from version 1.4 on
 
 constexpr std::array<std::size_t, 11> standard_bytes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};  // by format
 
@@ -81,6 +80,7 @@ void check_version(const std::string& header, std::size_t point_format)
   }
 }
 
+/** Version 1.4 has a number of 64 bits, which writers of older point formats sometimes leave at 0. */
 std::uint64_t parse_count(const std::string& header)
 {
   const auto legacy_count = number_at<std::uint32_t>(header.data() + legacy_count_at);
@@ -91,7 +91,8 @@ std::uint64_t parse_count(const std::string& header)
       header.size() < las_header_bytes_1_4) {
     throw_damaged("too few bytes for version 1.4");
   }
-  return number_at<std::uint64_t>(header.data() + count_at);
+  const auto count = number_at<std::uint64_t>(header.data() + las_count_at);
+  return count == 0 ? legacy_count : count;
 }
 
 void parse_end(const std::string& bytes, std::size_t file_bytes, LasHeader& header)
@@ -110,19 +111,14 @@ void parse_end(const std::string& bytes, std::size_t file_bytes, LasHeader& head
   header.end = end;
 }
 
-/** \return whether all are numbers */
-bool parse_bounds(const std::string& bytes, LasHeader& header)
+void parse_bounds(const std::string& bytes, LasHeader& header)
 {
   for (std::size_t axis = 0; axis < header.least.size(); ++axis) {
     const auto [greatest, least] =
         number_at<std::array<double, 2>>(bytes.data() + bounds_at + axis * 2 * sizeof(double));
     header.greatest[axis] = greatest;
     header.least[axis] = least;
-    if (!std::isfinite(greatest) || !std::isfinite(least)) {
-      return false;
-    }
   }
-  return true;
 }
 
 /** Whether the records fill the file up to what follows; a few bytes behind them, too few for one more, do no harm. */
@@ -177,9 +173,7 @@ LasHeader read_las_header(const ByteSource& source, LasCompression compression)
   parse_end(bytes, source.size(), header);
   header.scale = number_at<std::array<double, 3>>(bytes.data() + scale_at);
   header.offset = number_at<std::array<double, 3>>(bytes.data() + offset_at);
-  if (!parse_bounds(bytes, header)) {
-    throw_damaged("impossible bounds");
-  }
+  parse_bounds(bytes, header);
   if (header.record_bytes < las_standard_bytes(header.point_format)) {
     throw_damaged("records shorter than their point format");
   }

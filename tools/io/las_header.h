@@ -14,6 +14,7 @@ namespace pds
 inline constexpr std::size_t las_begin_at = 96;
 inline constexpr std::size_t las_record_count_at = 100;
 inline constexpr std::size_t las_extended_record_count_at = 243;  ///< from version 1.4 on
+inline constexpr std::size_t las_count_at = 247;                  ///< from version 1.4 on
 inline constexpr std::size_t las_header_bytes_1_4 = 375;
 
 inline constexpr std::size_t las_record_head_bytes = 54;  ///< before the content of a variable-length record
@@ -35,7 +36,7 @@ struct LasHeader
   std::size_t end = 0;             ///< of the points at the latest: waveforms, extended records or the end of the file
   std::array<double, 3> scale{};   ///< of x, y and z: coordinate = scale * integer + offset
   std::array<double, 3> offset{};  ///< of x, y and z
-  std::array<double, 3> least{};   ///< coordinates of all points; 0 if the writer has not filled them in
+  std::array<double, 3> least{};   ///< coordinates of all points, if the writer has filled them in
   std::array<double, 3> greatest{};  ///< likewise
   std::size_t header_bytes = 0;      ///< where the variable-length records begin
   std::uint32_t record_count = 0;    ///< variable-length records

@@ -64,6 +64,7 @@ LazCopy::LazCopy(const ByteSource& source, const LazParts& parts)
   put(head, las_record_count_at, static_cast<std::uint32_t>(records.size()));
   if (head.size() >= las_header_bytes_1_4) {
     put(head, las_extended_record_count_at, std::uint32_t{0});
+    put(head, las_count_at, header.count);  // which may have come from the legacy count
   }
   append(head.data(), head.size());
   for (const LasRecord& record : records) {
