@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_pds_recon/mesh_cleaning.h>
 #include <pcl_pds_recon/rim_joining.h>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+#include "joined_parts.h"
 #include "polygon_triangulation.h"
 #include "seed_grid.h"
 #include "surface_integrals.h"
@@ -30,8 +30,7 @@ constexpr double highest_step = 1.0 / 3.0;  // in such a gap: an interval at the
 constexpr double longest_chord = longest_dual_edge;   // between seeds, which lie behind the rims of their cells
 constexpr double in_plane = 0.7;                      // cosine: a face within 45 degrees of the plane of a cell
 constexpr std::ptrdiff_t least_corners_in_plane = 2;  // of three; the last cell before a gap may have no plane
-constexpr double least_bulge = 0.3;                   // of a ball's: as a cap of 17 degrees to all sides has it
-constexpr double smallest_angle = 2.2;                // radians between faces at an edge: the surface goes on
+constexpr double smooth_angle = 2.2;                  // radians between faces at an edge: the surface goes on
 
 /** \brief A chord between two vertices on rims. */
 struct Chord
@@ -49,18 +48,8 @@ class RimJoiner
             const SeedGeometry& seeds,
             const BorderingCells& bordering,
             const FillLimits& limits)
-      : complex_(complex), seeds_(seeds), bordering_(bordering), limits_(limits), part_of_(seeds.position.size())
+      : complex_(complex), seeds_(seeds), bordering_(bordering), limits_(limits), parts_(complex)
   {
-    for (const std::vector<std::uint32_t>& faces : complex.components()) {
-      std::vector<Triangle> triangles;
-      triangles.reserve(faces.size());
-      for (const std::uint32_t f : faces) triangles.push_back(complex.oriented(f));
-      for (const Triangle& t : triangles)
-        for (const std::uint32_t v : t) part_of_[v] = static_cast<std::uint32_t>(parts_.size());
-      const SurfaceIntegrals integrals = integrate(triangles, seeds.position);
-      parts_.push_back(
-          {faces.size(), faces.front(), triangles.front(), integrals.bulge(), !integrals.faces_one_side(), {}});
-    }
   }
 
   std::size_t join()
@@ -68,28 +57,18 @@ class RimJoiner
     const std::vector<Chord> chords = find_chords();
     std::size_t joints = 0;
     for (const int least_shut : {0, 1, 2}) {
-      tried_.assign(part_of_.size(), 0);
+      tried_.assign(seeds_.position.size(), 0);
       for (const Chord& chord : chords)
         if (least_shut_of(chord) == least_shut && join_along(chord, least_shut)) {
           ++joints;
-          if (least_shut == 0) hang_together(part_of_[chord.a], part_of_[chord.b]);
+          if (least_shut == 0) parts_.hang_together(parts_.part_of(chord.a), parts_.part_of(chord.b));
         }
     }
-    drop_specks();
+    parts_.drop_specks();
     return joints;
   }
 
  private:
-  /** \brief A component as it was before anything was joined. */
-  struct Part
-  {
-    std::size_t faces;
-    std::uint32_t first;  ///< of its faces ...
-    Triangle corners;     ///< ... as they ran then ...
-    double bulge;         ///< ... and how much the part bulges to the side it faces so
-    bool nearly_closed;
-    std::vector<std::uint32_t> joined;  ///< to these others, which form no ring
-  };
   using Neighbors = std::vector<std::uint32_t>;
 
   [[nodiscard]] double length(std::uint32_t a, std::uint32_t b) const
@@ -143,39 +122,11 @@ class RimJoiner
     return empty;
   }
 
-  void hang_together(std::uint32_t a, std::uint32_t b)
-  {
-    parts_[a].joined.push_back(b);
-    parts_[b].joined.push_back(a);
-  }
-
-  /** \brief Takes the specks out again by which nothing else hangs together, one after another. */
-  void drop_specks()
-  {
-    std::size_t largest = 0;
-    for (const Part& part : parts_) largest = std::max(largest, part.faces);
-    std::vector<std::uint8_t> dropped(parts_.size());
-    for (std::uint32_t start = 0; start < parts_.size(); ++start)
-      for (std::uint32_t p = start; parts_[p].joined.size() == 1 && is_speck(parts_[p].faces, largest);) {
-        dropped[p] = 1;
-        const std::uint32_t next = parts_[p].joined.front();
-        parts_[p].joined.clear();
-        Neighbors& others = parts_[next].joined;
-        others.erase(std::find(others.begin(), others.end(), p));
-        p = next;
-      }
-    for (const std::uint32_t f : complex_.faces()) {
-      const Triangle t = complex_.oriented(f);
-      if (std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return dropped[part_of_[v]] != 0; }))
-        complex_.remove(f);
-    }
-  }
-
   /** \brief How many ends of a joint that begins with the chord have to be shut. */
   [[nodiscard]] int least_shut_of(const Chord& chord) const
   {
     if (!complex_.joined(*complex_.faces_at(chord.a).begin(), *complex_.faces_at(chord.b).begin())) return 0;
-    return part_of_[chord.a] == part_of_[chord.b] ? 2 : 1;
+    return parts_.part_of(chord.a) == parts_.part_of(chord.b) ? 2 : 1;
   }
 
   /** \brief Joins a rim edge at one end of the chord to one at the other, the nearest pair that fits.
@@ -194,12 +145,19 @@ class RimJoiner
 
   bool join(const Chord& chord, const Chord& other, int least_shut)
   {
+    const std::uint32_t part = parts_.part_of(chord.a);
+    const std::uint32_t other_part = parts_.part_of(chord.b);
+    // Where it is clear which sides go on into each other, they may do so around a crease, as a leg into a body.
+    const double at_rims = parts_.outsides_are_clear(part, other_part) ? limits_.smallest_angle : smooth_angle;
     complex_.begin_trial();
     const bool falling = length(chord.a, other.b) < length(other.a, chord.b);
-    const bool begun = falling ? add(chord.a, chord.b, other.b) && add(chord.a, other.b, other.a)
-                               : add(chord.a, chord.b, other.a) && add(chord.b, other.b, other.a);
+    const Chord diagonal = falling ? Chord{0, chord.a, other.b} : Chord{0, chord.b, other.a};
+    const std::uint32_t before = falling ? chord.b : chord.a;
+    const std::uint32_t behind = falling ? other.a : other.b;
+    const bool begun = is_untwisted(diagonal, before, behind) && add({diagonal.a, diagonal.b, before}, at_rims) &&
+                       add({diagonal.a, diagonal.b, behind}, at_rims);
     std::vector<std::uint32_t> passed;
-    if (begun && outsides_agree(parts_[part_of_[chord.a]], parts_[part_of_[chord.b]])) {
+    if (begun && parts_.outsides_agree(part, other_part)) {
       int shut = 0;
       for (const Chord& end : {chord, other}) shut += is_shut(zip(end.a, end.b, passed)) ? 1 : 0;
       if (shut >= least_shut) return true;
@@ -209,16 +167,11 @@ class RimJoiner
     return false;
   }
 
-  /** \brief False if the joint has made one surface of the outside of a part and the inside of the other. */
-  [[nodiscard]] bool outsides_agree(const Part& a, const Part& b) const
+  /** \brief The two faces at the diagonal are one surface that does not turn over between the rims. */
+  [[nodiscard]] bool is_untwisted(const Chord& diagonal, std::uint32_t before, std::uint32_t behind) const
   {
-    const auto bulge_now = [this](const Part& part) {
-      return complex_.oriented(part.first) == part.corners ? part.bulge : -part.bulge;
-    };
-    const bool clear =
-        (a.nearly_closed || b.nearly_closed) && std::min(std::abs(a.bulge), std::abs(b.bulge)) > least_bulge;
-    return !clear || is_speck(std::min(a.faces, b.faces), std::max(a.faces, b.faces)) ||
-           bulge_now(a) * bulge_now(b) > 0;
+    const std::vector<Vector3d>& p = seeds_.position;
+    return TriangleComplex::fold_cosine(p[diagonal.a], p[diagonal.b], p[before], p[behind]) <= std::cos(smooth_angle);
   }
 
   /** \brief Adds faces between the rims that go on from the two ends of a rim edge, as long as they fit.
@@ -232,7 +185,7 @@ class RimJoiner
       const std::optional<std::uint32_t> after_right = beyond(right, left);
       if (!after_left || !after_right) return left;
       const auto step = [&](std::uint32_t& from, std::uint32_t to, std::uint32_t opposite) {
-        if (length(to, opposite) > longest_chord || !add(left, right, to)) return false;
+        if (length(to, opposite) > longest_chord || !add({left, right, to}, smooth_angle)) return false;
         passed.push_back(from = to);
         return true;
       };
@@ -260,11 +213,9 @@ class RimJoiner
     return beside[0] == from ? beside[1] : beside[0];
   }
 
-  bool add(std::uint32_t a, std::uint32_t b, std::uint32_t c)
+  bool add(const Triangle& t, double smallest_angle)
   {
-    const std::vector<Vector3d>& p = seeds_.position;
-    const Vector3d across = (p[b] - p[a]).cross(p[c] - p[a]).normalized();
-    const Triangle t{a, b, c};
+    const Vector3d across = area_vector(t, seeds_.position).normalized();
     return std::count_if(t.begin(), t.end(),
                          [&](std::uint32_t v) { return std::abs(across.dot(seeds_.normal[v])) > in_plane; }) >=
                least_corners_in_plane &&
@@ -275,9 +226,8 @@ class RimJoiner
   const SeedGeometry& seeds_;
   const BorderingCells& bordering_;
   const FillLimits& limits_;
-  std::vector<Part> parts_;
-  std::vector<std::uint32_t> part_of_;  ///< by vertex with a face: its component before anything was joined
-  std::vector<std::uint8_t> tried_;     ///< by vertex: it is in a joint that was given up
+  JoinedParts parts_;
+  std::vector<std::uint8_t> tried_;  ///< by vertex: it is in a joint that was given up
 };
 
 }  // namespace

@@ -135,5 +135,141 @@ TEST(RimJoining, KeepsASpeckOnlyIfSomethingHangsTogetherByIt)
   }
 }
 
+/** \brief Surfaces of revolution about the z axis; lengths are in radii. */
+class Turned
+{
+ public:
+  /** \brief Adds a ball with an opening of 20 degrees to all sides at the top, whose rim is in the plane z = 0. */
+  void add_ball()
+  {
+    const double ball = rim / std::sin(pi / 9);
+    std::vector<Ring> rings;
+    rings.reserve(8);
+    for (int i = 1; i < 9; ++i)
+      rings.push_back({ball * std::sin(i * pi / 9), ball * (std::cos(i * pi / 9) - std::cos(pi / 9))});
+    add_cap(rings, -ball * (1 + std::cos(pi / 9)), false);
+  }
+
+  /** \brief Adds a cup with as large a rim at the height \a z, which is closed above or below it. */
+  void add_cup(double z, bool above, bool turned)
+  {
+    const double height = above ? 2 * rim : -2 * rim;
+    std::vector<Ring> rings;
+    rings.reserve(3);
+    for (int i = 0; i < 3; ++i) rings.push_back({rim * std::cos(i * pi / 6), z + height * std::sin(i * pi / 6)});
+    add_cap(rings, z + height, turned);
+  }
+
+  /** \brief Adds some faces of the cylinder between the rims. */
+  void add_island(double low, double high)
+  {
+    add_ring({rim, low});
+    add_ring({rim, high});
+    for (std::uint32_t i = 0; i < 3; ++i) add_square(i, false);
+  }
+
+  /** \brief What they are after their rims were joined. */
+  [[nodiscard]] MeshFacts joined() const
+  {
+    const std::vector<pds::SeedPair> pairs;
+    pds::TriangleComplex complex(seeds_.position);
+    for (const pds::Triangle& t : triangles_) EXPECT_EQ(complex.add(t, 0.7), pds::TriangleComplex::Verdict::legal);
+    pds::join_rims(complex, seeds_, pds::BorderingCells(pairs), pds::FillLimits());
+    Triangles triangles;
+    for (const std::uint32_t f : complex.faces()) triangles.push_back(complex.oriented(f));
+    return examine(triangles, complex.position());
+  }
+
+ private:
+  struct Ring
+  {
+    double radius, height;
+  };
+  static constexpr std::uint32_t around = 16;
+  static constexpr double rim = around / (2 * pi);
+
+  /** The last cells before the crease reach over it: they lie in the plane of the cup's wall. */
+  void add_vertex(double x, double y, double z)
+  {
+    seeds_.position.emplace_back(x, y, z);
+    seeds_.normal.push_back(x == 0 && y == 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(x, y, 0).normalized());
+    seeds_.curvature.push_back(0);
+  }
+
+  void add_ring(const Ring& ring)
+  {
+    for (std::uint32_t i = 0; i < around; ++i)
+      add_vertex(ring.radius * std::cos(2 * pi * i / around), ring.radius * std::sin(2 * pi * i / around), ring.height);
+  }
+
+  /** \brief Two faces between the last two rings. */
+  void add_square(std::uint32_t i, bool turned)
+  {
+    const auto first = static_cast<std::uint32_t>(seeds_.position.size()) - 2 * around;
+    const std::uint32_t j = (i + 1) % around;
+    add_face({first + i, first + j, first + around + j}, turned);
+    add_face({first + i, first + around + j, first + around + i}, turned);
+  }
+
+  void add_cap(const std::vector<Ring>& rings, double tip, bool turned)
+  {
+    add_ring(rings.front());
+    for (auto ring = rings.begin() + 1; ring != rings.end(); ++ring) {
+      add_ring(*ring);
+      for (std::uint32_t i = 0; i < around; ++i) add_square(i, turned);
+    }
+    const auto top = static_cast<std::uint32_t>(seeds_.position.size());
+    add_vertex(0, 0, tip);
+    for (std::uint32_t i = 0; i < around; ++i)
+      add_face({top - around + i, top - around + (i + 1) % around, top}, turned);
+  }
+
+  void add_face(const pds::Triangle& t, bool turned)
+  {
+    triangles_.push_back(turned ? pds::Triangle{t[0], t[2], t[1]} : t);
+  }
+
+  pds::SeedGeometry seeds_;
+  std::vector<pds::Triangle> triangles_;
+};
+
+/** A cup on the opening of a ball has its outside where the ball has it, whichever way its faces were turned before. */
+TEST(RimJoining, JoinsTwoShapesAroundACreaseIfTheirOutsidesAgree)
+{
+  for (const bool turned : {false, true}) {
+    Turned shapes;
+    shapes.add_ball();
+    shapes.add_cup(1.5, true, turned);
+    const MeshFacts facts = shapes.joined();
+    EXPECT_EQ(facts.components, 1U) << turned;
+    EXPECT_EQ(facts.boundary_loops, 1U) << turned;
+    EXPECT_EQ(facts.inconsistent_edges, 0U) << turned;
+  }
+}
+
+/** One that hangs into the ball would be the ball's own wall, with the cup's inside out. */
+TEST(RimJoining, LeavesACupInsideABall)
+{
+  for (const bool turned : {false, true}) {
+    Turned shapes;
+    shapes.add_ball();
+    shapes.add_cup(-1.5, false, turned);
+    EXPECT_EQ(shapes.joined().components, 2U) << turned;
+  }
+}
+
+/** The faces between have no outside of their own, but that of the cup, once they are joined to it. */
+TEST(RimJoining, KnowsTheOutsideOfAnIslandByWhatItHangsTogetherWith)
+{
+  for (const bool above : {false, true}) {
+    const double up = above ? 1 : -1;
+    Turned shapes;
+    shapes.add_ball();
+    shapes.add_cup(up * 4, above, false);
+    shapes.add_island(up * 1.6, up * 2.6);
+    EXPECT_EQ(shapes.joined().components, above ? 1U : 2U);
+  }
+}
+
 }  // namespace
 }  // namespace pds_test

@@ -16,7 +16,7 @@ namespace pds
  * or where cells border across it; from there it goes on both ways like a zip. The first joint of two components may
  * end anywhere. Others must leave nothing open, or but a hole within the limit, at one end, and those of one
  * component's own rims at both: a bay of a large opening is no gap. No joint makes one surface of the outside of one
- * component and the inside of another, as far as they bulge.
+ * component and the inside of another, as far as they bulge; where both clearly do, it may run along a crease.
  * \param complex every vertex must have a single fan; that stays so
  * \return the number of joints */
 std::size_t join_rims(TriangleComplex& complex,
