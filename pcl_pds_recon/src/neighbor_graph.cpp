@@ -134,12 +134,13 @@ class Lengths
 
   /** \param squares of the distances to a point's neighbours, with zeros behind the last one, up to the next multiple
    * of \a lanes \param outreached how many of the neighbours reach far less than the point */
-  void add(const float* squares, std::size_t count, std::size_t outreached)
+  void add(const float* squares, std::size_t count, std::size_t outreached, bool stray)
   {
+    lone_points_ += outreached > count / 2 ? 1 : 0;
+    if (stray) return;
     for (std::size_t j = 0; j < count; j += lanes)
       for (std::size_t l = 0; l < lanes; ++l) sum_[l] += static_cast<double>(std::sqrt(squares[j + l]));
     count_ += count;
-    lone_points_ += outreached > count / 2 ? 1 : 0;
   }
   Lengths& operator+=(const Lengths& other)
   {
@@ -170,6 +171,7 @@ ReverseEdge* survey_rows(const OrderedPoints& points,
                          const Rows& rows,
                          std::size_t begin,
                          std::size_t end,
+                         float squared_reach_of_strays,
                          ReverseEdge* edges,
                          Lengths& lengths_of_rows)
 {
@@ -191,7 +193,7 @@ ReverseEdge* survey_rows(const OrderedPoints& points,
       edges += rows.lists(j, own, *square++) ? 0 : 1;
       outreached += graph.reach[j].squared < far2 ? 1 : 0;
     }
-    lengths.add(squares.data(), row.size(), outreached);
+    lengths.add(squares.data(), row.size(), outreached, graph.reach[i].squared > squared_reach_of_strays);
   }
   lengths_of_rows = lengths;
   return edges;
@@ -202,13 +204,14 @@ template <typename Rows>
 void join_rows(const OrderedPoints& points, const Rows& rows, NeighborGraph& graph, const Parallel& parallel)
 {
   ReverseEdges reverse(points.size(), parallel.threads());
+  const float strays = stray_reach * stray_reach * typical_squared_reach(graph.reach);
   std::vector<Lengths> lengths_of_tile(reverse.tile_count());
   std::vector<PointArray<ReverseEdge>> edges_of_worker(parallel.threads());
   parallel.blocks(points.size(), reverse.tile_size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     PointArray<ReverseEdge>& edges = edges_of_worker[worker];
     edges.resize(reverse.tile_size() * graph.stride + 1);
     const std::size_t tile = begin / reverse.tile_size();
-    const ReverseEdge* last = survey_rows(points, graph, rows, begin, end, edges.data(), lengths_of_tile[tile]);
+    const ReverseEdge* last = survey_rows(points, graph, rows, begin, end, strays, edges.data(), lengths_of_tile[tile]);
     reverse.add(worker, tile, edges.data(), static_cast<std::size_t>(last - edges.data()));
   });
   Lengths lengths;
@@ -219,6 +222,17 @@ void join_rows(const OrderedPoints& points, const Rows& rows, NeighborGraph& gra
 }
 
 }  // namespace
+
+float typical_squared_reach(const PointArray<Reach>& reach)
+{
+  constexpr std::size_t stride = 16;
+  if (reach.empty()) return 0;
+  std::vector<float> sample;
+  for (std::size_t i = 0; i < reach.size(); i += stride) sample.push_back(reach[i].squared);
+  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+  std::nth_element(sample.begin(), middle, sample.end());
+  return *middle;
+}
 
 NeighborGraph list_neighbors(const OrderedPoints& points, const PointCloudView& cloud, int k, const Parallel& parallel)
 {

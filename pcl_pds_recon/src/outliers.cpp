@@ -20,17 +20,6 @@ constexpr double shapeless = 0.25;    // ... in a neighbourhood this thick; an i
 
 constexpr float square(float x) { return x * x; }
 
-/** \brief The median of every 16th point's: enough to tell orders of magnitude. */
-float typical(const PointArray<Reach>& reach)
-{
-  constexpr std::size_t stride = 16;
-  std::vector<float> sample;
-  for (std::size_t i = 0; i < reach.size(); i += stride) sample.push_back(reach[i].squared);
-  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
-  std::nth_element(sample.begin(), middle, sample.end());
-  return *middle;
-}
-
 /** \brief Tells outliers. */
 class OutlierRule
 {
@@ -92,7 +81,7 @@ std::vector<std::uint8_t> find_outliers(const OrderedPoints& points,
                                         const Parallel& parallel)
 {
   if (points.size() < 2) return {};
-  const OutlierRule rule(points, graph, square(far_from_all) * typical(graph.reach));
+  const OutlierRule rule(points, graph, square(far_from_all) * typical_squared_reach(graph.reach));
   const auto worth_while = [&](std::size_t outliers) {
     return static_cast<double>(outliers) > worth_while_share * static_cast<double>(points.size());
   };

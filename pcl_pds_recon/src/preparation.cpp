@@ -65,13 +65,14 @@ class SampledInterval
     for (NeighborDistance& distance : distances_) distance.point = points.input_index[distance.point];
   }
 
-  /** \brief Of those points that are no outliers. */
+  /** \brief Of those points that are neither outliers nor strays. */
   [[nodiscard]] double mean(const OrderedPoints& points) const
   {
+    const float stray = stray_reach * median();
     double sum = 0;
     std::size_t count = 0;
     for (const NeighborDistance& distance : distances_) {
-      if (points.rank_of_input[distance.point] == no_rank) continue;
+      if (points.rank_of_input[distance.point] == no_rank || distance.mean > stray) continue;
       sum += static_cast<double>(distance.mean);
       ++count;
     }
@@ -81,14 +82,19 @@ class SampledInterval
   /** \brief The mean, or the median if that is less: outliers that nobody has found yet do not widen it. */
   [[nodiscard]] double cautious_mean(const OrderedPoints& points) const
   {
+    return std::min(mean(points), static_cast<double>(median()));
+  }
+
+ private:
+  [[nodiscard]] float median() const
+  {
     std::vector<float> means;
     for (const NeighborDistance& distance : distances_) means.push_back(distance.mean);
     const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
     std::nth_element(means.begin(), middle, means.end());
-    return std::min(mean(points), static_cast<double>(*middle));
+    return *middle;
   }
 
- private:
   PointArray<NeighborDistance> distances_;  ///< by input index instead of rank
 };
 

@@ -60,7 +60,7 @@ TEST_F(MeshFileTest, damaged_ply_faces_are_refused)
   expect_complaint("short.ply", ascii_ply(header, "3 0 1\n"), "cut short");
   expect_complaint("index.ply", ascii_ply(header, "3 0 1 4\n"), "names vertex 4 of 4");
   expect_complaint("negative.ply", ascii_ply(header, "3 0 1 -1\n"), "impossible number");
-  expect_complaint("segment.ply", ascii_ply(header, "2 0 1\n"), "only 2 corners");
+  expect_complaint("segment.ply", ascii_ply(header, "2 0 1\n"), "fewer than three corners");
   expect_complaint("list.ply", ascii_ply("element face 1\nproperty list uchar int corners\n", "3 0 1 2\n"),
                    "vertex_indices");
   const std::string lying = "element face 1\nproperty list uint int vertex_indices\n";

@@ -23,22 +23,33 @@ TEST_P(StrayPoint, CostsTheOthersNoPrecision)
 {
   const Points input = sphere(large_cloud);
   const pds::Reconstruction alone = reconstruct(input);
-  pds::Options options;
-  options.radius = alone.report.radius;  // the mean interval would be the stray's
   const Points with_stray = joined(input, {Eigen::Vector3d(GetParam(), 0, 0)});
-  const pds::Reconstruction mesh = reconstruct(with_stray, options);
+  const pds::Reconstruction mesh = reconstruct(with_stray);
   expect_closed(mesh, with_stray, 0);
+  EXPECT_NEAR(mesh.report.radius, alone.report.radius, 0.01 * alone.report.radius);
   const auto expected = static_cast<double>(alone.report.vertices);
   EXPECT_NEAR(static_cast<double>(mesh.report.vertices), expected, 0.03 * expected);
+}
+
+/** \brief One in a hundred points is flung about: among each other they look like a very coarse cloud. */
+TEST(StrayPoints, AHundredthOfThePointsHidesNoSurface)
+{
+  const Points input = sphere(large_cloud);
+  Points flung;
+  Random random(8);
+  while (flung.size() < input.size() / 100) flung.push_back(random.in_box(1e4));
+  const Points cloud = joined(input, flung);
+  const pds::Reconstruction alone = reconstruct(input);
+  const pds::Reconstruction mesh = reconstruct(cloud);
+  expect_closed(mesh, cloud, 0);
+  EXPECT_NEAR(mesh.report.radius, alone.report.radius, 0.01 * alone.report.radius);
 }
 
 TEST(StrayPoints, ARowOfZerosAmongUtmCoordinatesIsHarmless)
 {
   Points input = moved(sphere(small_cloud), {500000, 5300000, 100});
-  pds::Options options;
-  options.radius = reconstruct(input).report.radius;
   input.emplace_back(0, 0, 0);
-  expect_closed(reconstruct(input, options), input, 0);
+  expect_closed(reconstruct(input), input, 0);
 }
 
 TEST(StrayPoints, AFarClusterBeyondSinglePrecisionIsMergedNotFolded)

@@ -26,8 +26,8 @@ namespace pds
 /** \brief A point, and the mean distance to its k nearest neighbours. */
 struct NeighborDistance
 {
-  std::uint32_t point;
-  float mean;
+  std::uint32_t point;  ///< its rank
+  float mean;           ///< distance, in units of position
 };
 
 /** \brief The same search for some 16,000 points that are spread evenly over the order, or all if there are fewer. */

@@ -90,6 +90,13 @@ struct Reach
  * changes 10:1 it is 3. */
 constexpr float lone_reach = 4.0F;
 
+/** \brief Median of the points' squared reach, from every 16th: enough to tell orders of magnitude. 0 for no points. */
+[[nodiscard]] float typical_squared_reach(const PointArray<Reach>& reach);
+
+/** \brief A point that reaches so many times as far as the typical one is a stray, however many of its kind there are:
+ * what is sampled at such intervals is no part of a surface that the typical points make. */
+constexpr float stray_reach = 30.0F;
+
 /** \brief Symmetric k-nearest-neighbour graph (paper, flowchart step 1).
  *
  * Equal distances are ordered by rank, so the graph does not depend on the input order.
@@ -103,7 +110,7 @@ struct NeighborGraph
   std::vector<std::size_t> reverse_base;    ///< for every 2^base_bits points: where the first one's row begins
   PointArray<std::uint32_t> reverse;        ///< points that list this one without being listed, by ascending rank
   PointArray<Reach> reach;                  ///< by point; may be freed
-  double sampling_interval = 0;             ///< mean distance to the own neighbours, in units of position
+  double sampling_interval = 0;             ///< mean distance to own neighbours but of strays, units of position
   std::size_t lone_points = 0;              ///< how many reach lone_reach times as far as most of their neighbours
 
   /** Rows of so few points have fewer than 2^32 entries; offsets of all rows would take 8 bytes a point. */
