@@ -139,15 +139,15 @@ TEST(RimJoining, KeepsASpeckOnlyIfSomethingHangsTogetherByIt)
 class Turned
 {
  public:
-  /** \brief Adds a ball with an opening of 20 degrees to all sides at the top, whose rim is in the plane z = 0. */
+  /** \brief Adds a ball with an opening of 10 degrees to all sides at the top, whose rim is in the plane z = 0. */
   void add_ball()
   {
-    const double ball = rim / std::sin(pi / 9);
+    const double ball = rim / std::sin(pi / 18);
     std::vector<Ring> rings;
-    rings.reserve(8);
-    for (int i = 1; i < 9; ++i)
-      rings.push_back({ball * std::sin(i * pi / 9), ball * (std::cos(i * pi / 9) - std::cos(pi / 9))});
-    add_cap(rings, -ball * (1 + std::cos(pi / 9)), false);
+    rings.reserve(17);
+    for (int i = 1; i < 18; ++i)
+      rings.push_back({ball * std::sin(i * pi / 18), ball * (std::cos(i * pi / 18) - std::cos(pi / 18))});
+    add_cap(rings, -ball * (1 + std::cos(pi / 18)), false);
   }
 
   /** \brief Adds a cup with as large a rim at the height \a z, which is closed above or below it. */
@@ -160,12 +160,12 @@ class Turned
     add_cap(rings, z + height, turned);
   }
 
-  /** \brief Adds some faces of the cylinder between the rims. */
+  /** \brief Adds a square of the cylinder between the rims. */
   void add_island(double low, double high)
   {
     add_ring({rim, low});
     add_ring({rim, high});
-    for (std::uint32_t i = 0; i < 3; ++i) add_square(i, false);
+    add_square(0, false);
   }
 
   /** \brief What they are after their rims were joined. */
@@ -258,7 +258,7 @@ TEST(RimJoining, LeavesACupInsideABall)
   }
 }
 
-/** The faces between have no outside of their own, but that of the cup, once they are joined to it. */
+/** The square between has no outside of its own, but that of the cup, once it is joined to it. */
 TEST(RimJoining, KnowsTheOutsideOfAnIslandByWhatItHangsTogetherWith)
 {
   for (const bool above : {false, true}) {
