@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/ply_reader.h"
-
 #include "io/record_reader.h"
-#include "reader_testing.h"
+#include "ply_testing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,23 +14,6 @@ namespace
 using Values = std::vector<double>;
 
 constexpr double utm_northing = 5234567.123;
-
-PointTable read_ply(const std::string& file) { return read_ply(ByteSource(file), Parallel(2)); }
-
-std::string header(const std::string& format, const std::string& count, const std::string& properties)
-{
-  return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + count + "\n" + properties +
-         "end_header\n";
-}
-
-const std::string xyz_float = "property float x\nproperty float y\nproperty float z\n";
-const std::string xyz_double = "property double x\nproperty double y\nproperty double z\n";
-
-std::string big_endian(std::string bytes)
-{
-  std::reverse(bytes.begin(), bytes.end());
-  return bytes;
-}
 
 TEST(PlyReader, reads_every_scalar_type_in_ascii)
 {

@@ -2,6 +2,7 @@
 #include "io/ply_reader.h"
 
 #include "io/ply_body.h"
+#include "io/ply_byte_order.h"
 #include "io/ply_header.h"
 #include "io/record_reader.h"
 #include "io/sentence_list.h"
@@ -120,8 +121,9 @@ std::string what_is_not_read(const std::vector<PlyElement>& elements, std::size_
 
 /** Scalar by scalar: for text, and for lists, whose sizes are known only when they are met. */
 template <typename Body>
-PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std::size_t vertex_index)
+PointTable read_vertices(Body body, const PlyHeader& header, std::size_t vertex_index)
 {
+  const std::vector<PlyElement>& elements = header.elements;
   std::for_each_n(elements.begin(), vertex_index, [&body](const PlyElement& element) { skip_element(body, element); });
   const PlyElement& vertex = elements[vertex_index];
   std::size_t least_row_bytes = 0;
@@ -141,6 +143,7 @@ PointTable read_vertices(Body body, const std::vector<PlyElement>& elements, std
   for (std::size_t row = 0; row < table.size(); ++row) {
     read_row(body, targets, table, row);
   }
+  check_ply_byte_order(header, vertex, table);
   check_rest(body, elements, vertex_index, least_row_bytes);
   table.not_read = what_is_not_read(elements, vertex_index);
   return table;
@@ -185,12 +188,13 @@ PointTable read_binary_records(const ByteSource& source,
     }
   }
   layout.columns = scalar_columns(header.elements[vertex_index]);
+  PointTable table = read_records(source, layout, parallel);
+  check_ply_byte_order(header, header.elements[vertex_index], table);
   const std::size_t end = layout.begin + static_cast<std::size_t>(layout.count) * layout.record_bytes;
   std::string rest(source.size() - end, '\0');
   source.read(end, rest.data(), rest.size());
   BinaryBody body(rest, layout.order);
   check_rest(body, header.elements, vertex_index, layout.record_bytes);
-  PointTable table = read_records(source, layout, parallel);
   table.not_read = what_is_not_read(header.elements, vertex_index);
   return table;
 }
@@ -211,7 +215,7 @@ PointTable read_ply(const ByteSource& source, const Parallel& parallel)
     return read_binary_records(source, header, vertex_index, parallel);
   }
   const std::string file = source.all();
-  return visit_ply_body(header, file, [&](auto body) { return read_vertices(body, elements, vertex_index); });
+  return visit_ply_body(header, file, [&](auto body) { return read_vertices(body, header, vertex_index); });
 }
 
 }  // namespace pds
