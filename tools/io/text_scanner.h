@@ -83,15 +83,16 @@ class TextScanner
   /** \brief The next run of characters other than blanks and line ends. \return false at the end of the text */
   [[nodiscard]] bool next_token(std::string_view& token)
   {
-    constexpr std::string_view blanks = " \t\r\n";
-    const std::size_t begin = text_.find_first_not_of(blanks, position_);
-    if (begin == std::string_view::npos) {
-      position_ = text_.size();
+    const auto is_blank = [](char letter) {
+      return letter == ' ' || letter == '\n' || letter == '\t' || letter == '\r';
+    };
+    const auto begin = std::find_if_not(text_.begin() + position_, text_.end(), is_blank);
+    const auto end = std::find_if(begin, text_.end(), is_blank);
+    position_ = static_cast<std::size_t>(end - text_.begin());
+    if (begin == end) {
       return false;
     }
-    const std::size_t end = text_.find_first_of(blanks, begin);
-    position_ = end == std::string_view::npos ? text_.size() : end;
-    token = text_.substr(begin, position_ - begin);
+    token = text_.substr(static_cast<std::size_t>(begin - text_.begin()), static_cast<std::size_t>(end - begin));
     return true;
   }
 
