@@ -137,27 +137,50 @@ class Lengths
   void add(const float* squares, std::size_t count, std::size_t outreached, bool stray)
   {
     lone_points_ += outreached > count / 2 ? 1 : 0;
-    if (stray) return;
-    for (std::size_t j = 0; j < count; j += lanes)
-      for (std::size_t l = 0; l < lanes; ++l) sum_[l] += static_cast<double>(std::sqrt(squares[j + l]));
-    count_ += count;
+    (stray ? of_strays_ : of_others_).add(squares, count);
   }
   Lengths& operator+=(const Lengths& other)
   {
-    for (std::size_t l = 0; l < lanes; ++l) sum_[l] += other.sum_[l];
-    count_ += other.count_;
+    of_others_ += other.of_others_;
+    of_strays_ += other.of_strays_;
     lone_points_ += other.lone_points_;
     return *this;
   }
+  /** \brief Without strays, unless these are so many that they may be a coarser surface. */
   [[nodiscard]] double mean() const
   {
-    return count_ > 0 ? ((sum_[0] + sum_[1]) + (sum_[2] + sum_[3])) / static_cast<double>(count_) : 0.0;
+    constexpr std::size_t fewest_others = 9;  // times as many
+    Sum sum = of_others_;
+    if (of_others_.count < fewest_others * of_strays_.count) sum += of_strays_;
+    return sum.mean();
   }
   [[nodiscard]] std::size_t lone_points() const { return lone_points_; }
 
  private:
-  double sum_[lanes] = {};
-  std::size_t count_ = 0;
+  struct Sum
+  {
+    double lane[lanes] = {};
+    std::size_t count = 0;
+
+    void add(const float* squares, std::size_t more)
+    {
+      for (std::size_t j = 0; j < more; j += lanes)
+        for (std::size_t l = 0; l < lanes; ++l) lane[l] += static_cast<double>(std::sqrt(squares[j + l]));
+      count += more;
+    }
+    Sum& operator+=(const Sum& other)
+    {
+      for (std::size_t l = 0; l < lanes; ++l) lane[l] += other.lane[l];
+      count += other.count;
+      return *this;
+    }
+    [[nodiscard]] double mean() const
+    {
+      return count > 0 ? ((lane[0] + lane[1]) + (lane[2] + lane[3])) / static_cast<double>(count) : 0.0;
+    }
+  };
+
+  Sum of_others_, of_strays_;
   std::size_t lone_points_ = 0;
 };
 

@@ -25,6 +25,10 @@ constexpr int most_smoothings = 4;  // noise of one interval takes three; what i
 // Sampling intervals of deviation from a plane part that is thinned before noise is looked for: as much as would be
 // noise.
 constexpr double thickest_plane = 0.1;
+// Sampling intervals: plane parts are not thinned for larger disks than this, whatever the radius. A fifth of their
+// points is left then, which reach 2.2 times as far as those at rims: lone_reach is no nearer than where density
+// changes.
+constexpr double largest_plane_radius = 4.5;
 
 bool radius_is_absolute(const Options& options)
 {
@@ -153,7 +157,8 @@ class Preparation
     const SampledInterval sample(found_.points, options_.k_neighbors, parallel_);
     const double interval = sample.cautious_mean(found_.points);
     found_.points =
-        thin_plane_parts(std::move(found_.points), radius_of(interval), thickest_plane * interval, parallel_);
+        thin_plane_parts(std::move(found_.points), std::min(radius_of(interval), largest_plane_radius * interval),
+                         thickest_plane * interval, parallel_);
     if (found_.points.thinned_points > 0) sample_ = sample;
   }
 
@@ -189,9 +194,15 @@ class Preparation
     }
   }
 
+  [[nodiscard]] bool is_cloud_noisy() const
+  {
+    const std::size_t of_planes = sample_ ? found_.points.thinned_points : 0;  // none of them noisy
+    return is_noisy(found_.points, found_.graph, parallel_, of_planes);
+  }
+
   void smooth()
   {
-    for (int pass = 0; pass < most_smoothings && is_noisy(found_.points, found_.graph, parallel_); ++pass) {
+    for (int pass = 0; pass < most_smoothings && is_cloud_noisy(); ++pass) {
       found_.points.position = smooth_positions(found_.points, found_.graph, parallel_);
       found_.points.smoothed = true;
       join();

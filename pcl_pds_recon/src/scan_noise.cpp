@@ -78,7 +78,10 @@ Vectors averaged(const Vectors& of_points, const NeighborGraph& graph, const Par
 
 }  // namespace
 
-bool is_noisy(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel)
+bool is_noisy(const OrderedPoints& points,
+              const NeighborGraph& graph,
+              const Parallel& parallel,
+              std::size_t clean_points)
 {
   constexpr std::size_t least_samples = 1024;
   constexpr std::size_t largest_stride = 256;
@@ -90,7 +93,9 @@ bool is_noisy(const OrderedPoints& points, const NeighborGraph& graph, const Par
     for (std::size_t s = begin; s < end; ++s) part += has_noise(points, graph, s * stride) ? 1 : 0;
     return part;
   });
-  return static_cast<double>(noisy) > noisy_share * static_cast<double>(samples);
+  const auto left = static_cast<double>(graph.size());
+  const double share_left = left / (left + static_cast<double>(clean_points));
+  return static_cast<double>(noisy) * share_left > noisy_share * static_cast<double>(samples);
 }
 
 PointArray<Eigen::Vector3f> smooth_positions(const OrderedPoints& points,

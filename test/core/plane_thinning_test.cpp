@@ -3,6 +3,7 @@
 #include <pcl_pds_recon/thinning.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -182,6 +183,34 @@ TEST(PlaneThinning, LeavesSmallCloudsAndOddRadiiAlone)
   EXPECT_EQ(thin(plane(pds::fewest_points_to_thin_planes - 1), 0.1, 0.01).thinned_points, 0U);
   for (const double radius : {0.0, 1e-30, 10.0, std::numeric_limits<double>::infinity()})
     EXPECT_EQ(thin(input, radius, 0.01).thinned_points, 0U) << radius;
+}
+
+/** \brief Few points in the midst beside many at the rim must not look like outliers. */
+TEST(PlaneThinning, LosesNoPointsHoweverCoarseTheMesh)
+{
+  const Points input = flat_square();
+  for (const double factor : {3.0, 5.0, 10.0, 30.0, 60.0}) {
+    pds::Options options;
+    options.radius_factor = factor;
+    const pds::Reconstruction mesh = reconstruct(input, options);
+    EXPECT_EQ(mesh.report.outliers, 0U) << factor;
+    EXPECT_EQ(std::count(mesh.voronoi.label.begin(), mesh.voronoi.label.end(), pds::no_label), 0) << factor;
+  }
+}
+
+/** \brief A fifth of the points is noisy, which is too little to smooth a cloud, though half of the others is left out.
+ */
+TEST(PlaneThinning, MakesNoCloudNoisy)
+{
+  Random noise(4);
+  const double interval = interval_of(4);
+  const Points input = square(
+      [&](double x, double y) { return Eigen::Vector3d(x, y, x > 0.6 ? 0.4 * interval * noise.normal() : 0.0); });
+  for (const double factor : {3.0, 5.0, 10.0}) {
+    pds::Options options;
+    options.radius_factor = factor;
+    EXPECT_FALSE(reconstruct(input, options).report.smoothed) << factor;
+  }
 }
 
 TEST(SampledDistances, AreThoseOfTheWholeSearch)

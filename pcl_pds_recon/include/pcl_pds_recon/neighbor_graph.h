@@ -93,8 +93,8 @@ constexpr float lone_reach = 4.0F;
 /** \brief Median of the points' squared reach, from every 16th: enough to tell orders of magnitude. 0 for no points. */
 [[nodiscard]] float typical_squared_reach(const PointArray<Reach>& reach);
 
-/** \brief A point that reaches so many times as far as the typical one is a stray, however many of its kind there are:
- * what is sampled at such intervals is no part of a surface that the typical points make. */
+/** \brief A point that reaches so many times as far as the typical one is a stray, unless a tenth of all points
+ * do: what is sampled at such intervals is no part of a surface that the typical points make. */
 constexpr float stray_reach = 30.0F;
 
 /** \brief Symmetric k-nearest-neighbour graph (paper, flowchart step 1).

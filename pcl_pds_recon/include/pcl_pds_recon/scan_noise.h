@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,8 +15,12 @@ namespace pds
  * neighbours: noise looks thinner the wider one looks, a bend thicker and a crease the same.
  *
  * Looks at one point in 256, or a thousand points.
+ * \param clean_points that were left out before, known to have no noise
  */
-[[nodiscard]] bool is_noisy(const OrderedPoints& points, const NeighborGraph& graph, const Parallel& parallel);
+[[nodiscard]] bool is_noisy(const OrderedPoints& points,
+                            const NeighborGraph& graph,
+                            const Parallel& parallel,
+                            std::size_t clean_points = 0);
 
 /** \brief The points moved into the middle of their noise: onto the plane of their neighbours or, where noise fills
  * that neighbourhood, of their neighbours' neighbours. What all points around move by alike is the bend of the surface

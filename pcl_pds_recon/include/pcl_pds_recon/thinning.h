@@ -44,10 +44,9 @@ constexpr bool thinning_pays(std::size_t points, std::size_t kept) { return poin
  *
  * Where a single, nearly plane sheet goes on for about \a radius all around, squares are put over it, and each keeps
  * the point nearest to the mean of its points. Sharp bends, rims, noise, thin parts, and what is near them keep all of
- * their points. A point and its representative are at most 0.47 radii apart. Nothing is left out unless it is a fifth
- * of all points at least. For uniform metrics. O(n).
- * \param radius of the disks, in units of position
- * \param thickest standard deviation of points from a plane that they count as on: less than what is noise
+ * their points. A point and its representative are at most 0.47 radii apart where density is even. Nothing is left out
+ * unless it is a fifth of all points at least. For uniform metrics. O(n). \param radius of the disks, in units of
+ * position \param thickest standard deviation of points from a plane that they count as on: less than what is noise
  * \return the points that are left, in their order
  */
 [[nodiscard]] OrderedPoints thin_plane_parts(OrderedPoints points,
