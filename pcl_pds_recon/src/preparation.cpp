@@ -171,9 +171,33 @@ class Preparation
     if (found_.points.smoothed) searched.neighbor_search = nullptr;
     found_.graph = list_neighbors(found_.points, searched, options_.k_neighbors, parallel_);
     found_.surface = estimate_surface(found_.points, found_.graph, parallel_);
-    separate_sheets(cloud_, found_.points, found_.graph, found_.surface, parallel_);
+    part_sheets();
     join_neighbors(found_.points, searched, found_.graph, parallel_);
     if (sample_) restore_interval(found_.graph.sampling_interval);
+  }
+
+  /** \brief Parts sheets; in a smoothed cloud only where the scan itself had them, for smoothing makes layers of noise.
+   */
+  void part_sheets()
+  {
+    std::vector<std::uint8_t> candidate;
+    if (found_.points.smoothed) {
+      if (parted_.empty()) return;
+      candidate = parted_before();
+    }
+    parted_.clear();
+    if (separate_sheets(cloud_, found_.points, found_.graph, found_.surface, parallel_, candidate) == 0) return;
+    parted_.resize(cloud_.size);
+    for (std::size_t i = 0; i < found_.points.size(); ++i)
+      if (found_.graph.reach[i].rank == Reach::parted) parted_[found_.points.input_index[i]] = 1;
+  }
+
+  /** \brief By point, whether its row was parted the last time. */
+  [[nodiscard]] std::vector<std::uint8_t> parted_before() const
+  {
+    std::vector<std::uint8_t> parted(found_.points.size());
+    for (std::size_t i = 0; i < parted.size(); ++i) parted[i] = parted_[found_.points.input_index[i]];
+    return parted;
   }
 
   /** \brief From that of all points that are left to that where none were left out. Smoothing does the same to both. */
@@ -222,6 +246,7 @@ class Preparation
   const Parallel& parallel_;
   double fineness_;  ///< voxels per radius, if all points are thinned
   Neighborhoods found_;
+  std::vector<std::uint8_t> parted_;  ///< by input index, whether its row lost points of another sheet; empty: none
   std::optional<SampledInterval> sample_;  ///< if only plane parts have been thinned
   double unthinned_over_thinned_ = 1;      ///< sampling interval
 };

@@ -2,6 +2,7 @@
 #include <pcl_pds_recon/sheet_separation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 #include "plane_kernel.h"
@@ -17,16 +18,26 @@ constexpr std::size_t block = 1024;  // points per block: where there are sheets
 
 constexpr std::size_t fewest_left = 3;  // neighbours: with fewer a point is on no surface, and keeps those it has
 
+// Scans that do not fit are layers, a few of which may seem two sheets where they happen to be farthest apart: no
+// farther than layers are thick elsewhere.
+constexpr std::size_t noise_stride = 16;  // one point in so many is asked
+constexpr std::size_t noisy_share = 4;    // it is usual if one point in so many has a thick neighbourhood
+constexpr float least_over_noise = 2.5F;  // half gaps over deviations; noise of 0.3 on sheets two apart gives 3.2
+
 /** \brief Looks at those points of a block whose neighbourhoods are no planes; at a few of them only, if these find
  * noise and no sheets. */
-std::vector<Sheet> find_sheets(const SurfaceEstimate& surface, std::size_t begin, std::size_t end, SheetRule& rule)
+std::vector<Sheet> find_sheets(const SurfaceEstimate& surface,
+                               const std::vector<std::uint8_t>& candidate,
+                               std::size_t begin,
+                               std::size_t end,
+                               SheetRule& rule)
 {
   constexpr std::size_t few = 32;
   constexpr std::size_t many = 2 * few;
   constexpr std::size_t least_share = 16;  // one in so many; of sheets it is a quarter and more
   std::vector<std::uint32_t> thick;
   for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
-    if (surface.curvature[i] > SheetRule::thick) thick.push_back(i);
+    if (surface.curvature[i] > SheetRule::thick && (candidate.empty() || candidate[i] != 0)) thick.push_back(i);
   std::vector<Sheet> found;
   Sheet sheet;
   if (thick.size() > many) {
@@ -100,21 +111,66 @@ Sheets choose_sheets(std::vector<std::vector<Sheet>> of_block,
   return chosen;
 }
 
+/** \brief Deviation of the noise where there is but one sheet, in reaches; 0 if there is little, or no such place. */
+float noise_of_single_sheets(const Sheets& sheets, const SurfaceEstimate& surface, std::size_t size)
+{
+  std::vector<float> thick;
+  for (std::size_t i = 0; i < size; i += noise_stride)
+    if (surface.curvature[i] > SheetRule::thick && !sheets.are_near(static_cast<std::uint32_t>(i)))
+      thick.push_back(surface.curvature[i]);
+  if (thick.empty() || thick.size() * noise_stride * noisy_share < size) return 0;
+  const auto middle = thick.begin() + static_cast<std::ptrdiff_t>(thick.size() / 2);
+  std::nth_element(thick.begin(), middle, thick.end());
+  // Curvature squared is the share of the variance across the plane; along it a disk has half of its squared radius.
+  const float share = *middle * *middle;
+  return std::sqrt(0.5F * share / (1 - share));
+}
+
+/** \brief Of the sheets at a point and at its neighbours: one of several layers may be near by chance. */
+float mean_half_gap(const Sheet& sheet, const Sheets& sheets, const NeighborGraph& graph)
+{
+  float sum = sheet.half_gap;
+  float count = 1;
+  for (const std::uint32_t j : graph.nearest(sheet.point))
+    if (const Sheet* const other = sheets.of(j); other != nullptr) {
+      sum += other->half_gap;
+      ++count;
+    }
+  return sum / count;
+}
+
+/** \brief Those that are farther apart than noise elsewhere is thick. */
+Sheets wider_than_noise(Sheets sheets,
+                        const OrderedPoints& points,
+                        const NeighborGraph& graph,
+                        const SurfaceEstimate& surface)
+{
+  const float least = least_over_noise * noise_of_single_sheets(sheets, surface, points.size());
+  if (least == 0) return sheets;
+  Sheets wide(points, graph);
+  for (const Sheet& sheet : sheets.all())
+    if (mean_half_gap(sheet, sheets, graph) > least * std::sqrt(graph.reach[sheet.point].squared)) wide.add(sheet);
+  return wide;
+}
+
 }  // namespace
 
 std::size_t separate_sheets(const PointCloudView& cloud,
                             const OrderedPoints& points,
                             NeighborGraph& graph,
                             SurfaceEstimate& surface,
-                            const Parallel& parallel)
+                            const Parallel& parallel,
+                            const std::vector<std::uint8_t>& candidate)
 {
   std::vector<std::vector<Sheet>> of_block((points.size() + block - 1) / block);
   parallel.blocks(points.size(), block, [&](std::size_t begin, std::size_t end, unsigned) {
     SheetRule rule(cloud, points, graph, surface);
-    of_block[begin / block] = find_sheets(surface, begin, end, rule);
+    of_block[begin / block] = find_sheets(surface, candidate, begin, end, rule);
   });
-  Sheets sheets = choose_sheets(std::move(of_block), points, graph, surface);
-  sheets.spread();
+  Sheets chosen = choose_sheets(std::move(of_block), points, graph, surface);
+  chosen.spread();
+  // Normals tell more than noise does, and have been asked already.
+  const Sheets sheets = cloud.normals ? std::move(chosen) : wider_than_noise(std::move(chosen), points, graph, surface);
   if (sheets.all().empty()) return 0;
 
   const bool full = graph.own_count.empty();

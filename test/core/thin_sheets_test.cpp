@@ -275,6 +275,40 @@ TEST(ThinPlate, KeepsItsHolesIfPointsAreAtRandom)
   EXPECT_LE(loops, plates);
 }
 
+/** \brief A sphere as a scanner sees it from all around, each scan put where it should be but for an error of its own.
+ * \param error in spacings of the points of one scan */
+Points misfitting_scans(double error, unsigned scans, std::size_t points_of_scan)
+{
+  Random random(7);
+  const auto direction = [&random] {
+    return Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+  };
+  const double spacing_of_scan = std::sqrt(2 * pi / static_cast<double>(points_of_scan));
+  Points points;
+  for (unsigned scan = 0; scan < scans; ++scan) {
+    const double height = 1 - (2.0 * scan + 1) / scans;  // of sensors evenly spread along a spiral
+    const double golden_angle = pi * (3 - std::sqrt(5.0));
+    const double width = std::sqrt(1 - height * height);
+    const Eigen::Vector3d sensor(width * std::cos(scan * golden_angle), width * std::sin(scan * golden_angle), height);
+    const Eigen::Vector3d shift = error * spacing_of_scan * direction();
+    for (const Eigen::Vector3d& p : sphere(2 * points_of_scan, scan + 1))
+      if (p.dot(sensor) > 0.25) points.emplace_back(p + shift);  // rays that graze the surface give no points
+  }
+  return points;
+}
+
+TEST(MisfittingScans, AreOneSurface)
+{
+  for (const double error : {0.5, 0.7, 1.0}) {
+    SCOPED_TRACE(error);
+    const Points points = misfitting_scans(error, 12, 15000);
+    const MeshFacts facts = expect_sound(reconstruct(points), points);
+    EXPECT_EQ(facts.components, 1U);
+    EXPECT_EQ(euler_of_closed(facts), 2);
+    EXPECT_LE(facts.boundary_loops, error < 1 ? 0U : 1U);
+  }
+}
+
 /** \brief The first stages up to the separation. */
 struct ListedCloud
 {
@@ -286,7 +320,10 @@ struct ListedCloud
   {
   }
 
-  std::size_t separate() { return pds::separate_sheets(cloud, points, graph, surface, parallel); }
+  std::size_t separate(const std::vector<std::uint8_t>& candidate = {})
+  {
+    return pds::separate_sheets(cloud, points, graph, surface, parallel, candidate);
+  }
 
   pds::Parallel parallel{2};
   pds::PointCloudView cloud;
@@ -340,6 +377,37 @@ TEST(SheetSeparation, FindsNoneInNoiseBendsAndCreases)
   }
   EXPECT_LE(ListedCloud(view_of(cube(small_cloud))).separate(), small_cloud / 1000);
   EXPECT_EQ(ListedCloud(view_of(sphere(300))).separate(), 0U);
+}
+
+TEST(SheetSeparation, FindsSheetsThatAreFartherApartThanNoiseIsThick)
+{
+  for (const Layout layout : {Layout::jittered, Layout::random}) {
+    Points points = two_squares({2, 0.3, layout}, small_cloud);
+    const std::size_t of_sheets = points.size();
+    Random random(3);
+    const double noise = 0.3 * interval_of(1, small_cloud);
+    // One sheet of four times their area is beside them.
+    for (const Eigen::Vector3d& p : rectangle(2, 2, static_cast<double>(small_cloud), layout, random))
+      points.emplace_back(p.x() + 1.1, p.y(), noise * random.normal());
+    ListedCloud listed(view_of(points));
+    EXPECT_GT(listed.separate(), of_sheets / 3);
+    EXPECT_LE(rows_of_both(listed, of_sheets / 2), of_sheets / 50);
+  }
+}
+
+TEST(SheetSeparation, LooksAtCandidatesOnly)
+{
+  const Points input = two_squares({1, 0, Layout::random}, small_cloud);
+  ListedCloud listed(view_of(input));
+  std::vector<std::uint8_t> candidate(input.size());
+  EXPECT_EQ(listed.separate(candidate), 0U);
+  const auto x_of = [&](std::size_t i) { return input[listed.points.input_index[i]].x(); };
+  for (std::size_t i = 0; i < candidate.size(); ++i) candidate[i] = x_of(i) < 0.8 ? 1 : 0;
+  EXPECT_GT(listed.separate(candidate), input.size() / 2);
+  for (std::size_t i = 0; i < candidate.size(); ++i)
+    if (x_of(i) > 0.85) {
+      EXPECT_NE(listed.graph.reach[i].rank, pds::Reach::parted);
+    }
 }
 
 TEST(SheetSeparation, BelievesNormalsThatSheetsAreLayersOfOneSide)

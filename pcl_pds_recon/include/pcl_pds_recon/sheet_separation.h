@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include <pcl_pds_recon/edge_weights.h>
 #include <pcl_pds_recon/neighbor_graph.h>
@@ -16,15 +18,18 @@ namespace pds
  * A point has a second sheet beside its own if the points around lie in two parallel planes with nothing in between;
  * the noise of a scan fills what is between its layers, and if the cloud has normals, those of the two sheets face
  * away from each other. Rows lose the points of the other sheet, and those of such points are filled up with more
- * points of their own. O(n), and some microseconds for each point whose neighbourhood is no plane.
+ * points of their own. Without normals sheets must be farther apart than noise is thick elsewhere, if it is usual in
+ * the cloud. O(n), and some microseconds for each point whose neighbourhood is no plane.
  * \param graph of which the rows are known; they are joined afterwards
  * \param surface of the graph, fitted anew where rows change
+ * \param candidate by point, 0 if it is known to have no second sheet; empty: all may
  * \return how many points have a second sheet beside theirs
  */
 std::size_t separate_sheets(const PointCloudView& cloud,
                             const OrderedPoints& points,
                             NeighborGraph& graph,
                             SurfaceEstimate& surface,
-                            const Parallel& parallel);
+                            const Parallel& parallel,
+                            const std::vector<std::uint8_t>& candidate = {});
 
 }  // namespace pds
