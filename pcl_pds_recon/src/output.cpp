@@ -13,6 +13,8 @@ namespace pds
 namespace
 {
 
+constexpr std::size_t points_per_block = 32768;
+
 /** \brief Brings faces into a canonical order: each begins with its lowest corner, and they ascend. */
 std::vector<Triangle> sorted_faces(std::vector<Triangle> triangles, std::size_t vertex_count, const Parallel& parallel)
 {
@@ -34,35 +36,111 @@ std::vector<Triangle> sorted_faces(std::vector<Triangle> triangles, std::size_t 
   return sorted;
 }
 
-/** \brief A point's nearest seed, and its distance in units of position. */
+/** \brief A point's nearest seed by its number, and its distance in units of position. */
 struct Label
 {
   std::uint32_t seed;
   float distance;
 };
 
-/** \brief Labels points that thinning left out. */
+/** \brief Labels of a cloud whose points all are there. What they need is side by side in memory: the input may have
+ * any order, and then each point waits for its cache lines. */
+class Labels
+{
+ public:
+  Labels(const PoissonDiskSampling& sampling,
+         const GeodesicVoronoi& voronoi,
+         const std::vector<std::uint32_t>& number_of_seed,
+         const Parallel& parallel)
+      : entry_(sampling.nearest.size())
+  {
+    parallel.each(entry_.size(), points_per_block, [&](std::size_t rank) {
+      const NearestSeeds& nearest = sampling.nearest[rank];
+      entry_[rank] = {number_of_seed[nearest.seed[0]] << 1 | voronoi.witness[rank], nearest.distance[0]};
+    });
+  }
+
+  void fetch(std::uint32_t rank) const { __builtin_prefetch(&entry_[rank]); }
+  void fetch_seeds(std::uint32_t /*rank*/) const {}
+  [[nodiscard]] bool is_witness(std::uint32_t rank) const { return (entry_[rank].seed_and_witness & 1) != 0; }
+  [[nodiscard]] Label label(std::size_t /*input_index*/, std::uint32_t rank) const
+  {
+    return {entry_[rank].seed_and_witness >> 1, entry_[rank].distance};
+  }
+
+ private:
+  struct Entry
+  {
+    std::uint32_t seed_and_witness;  ///< the latter in the lowest bit, for there are fewer than 2^31 seeds
+    float distance;
+  };
+
+  PointArray<Entry> entry_;  ///< by rank
+};
+
+/** \brief The same if thinning has left points out, which are labelled by way of their representatives. */
 class LabelsBeside
 {
  public:
-  LabelsBeside(const OrderedPoints& points, const PoissonDiskSampling& sampling)
+  LabelsBeside(const PointCloudView& cloud,
+               const OrderedPoints& points,
+               const PoissonDiskSampling& sampling,
+               const GeodesicVoronoi& voronoi,
+               const std::vector<std::uint32_t>& number_of_seed,
+               const Parallel& parallel)
+      : cloud_(cloud),
+        origin_(points.origin),
+        unit_(points.unit),
+        seed_position_(sampling.seeds.size()),
+        entry_(points.size())
   {
-    for (const std::uint32_t rank : sampling.seeds) seed_position_.push_back(points.position[rank]);
+    for (std::size_t s = 0; s < sampling.seeds.size(); ++s)
+      seed_position_[number_of_seed[s]] = points.position[sampling.seeds[s]];
+    parallel.each(entry_.size(), points_per_block, [&](std::size_t rank) {
+      Entry& entry = entry_[rank];
+      entry = {sampling.nearest[rank], points.position[rank], points.input_index[rank], voronoi.witness[rank]};
+      for (std::uint32_t& seed : entry.nearest.seed)
+        if (seed != NearestSeeds::none) seed = number_of_seed[seed];
+    });
   }
+
+  void fetch(std::uint32_t rank) const { __builtin_prefetch(&entry_[rank]); }
+  void fetch_seeds(std::uint32_t rank) const
+  {
+    for (const std::uint32_t seed : entry_[rank].nearest.seed)
+      if (seed != NearestSeeds::none) __builtin_prefetch(&seed_position_[seed]);
+  }
+  [[nodiscard]] bool is_witness(std::uint32_t rank) const { return entry_[rank].witness != 0; }
+  [[nodiscard]] Label label(std::size_t input_index, std::uint32_t rank) const
+  {
+    const Entry& entry = entry_[rank];
+    if (entry.input_index == input_index) return {entry.nearest.seed[0], entry.nearest.distance[0]};
+    const Eigen::Vector3f position = ((cloud_.positions[input_index] - origin_) / unit_).cast<float>();
+    return label_beside(position, entry);
+  }
+
+ private:
+  struct Entry
+  {
+    NearestSeeds nearest;  ///< by number
+    Eigen::Vector3f position;
+    std::uint32_t input_index;
+    std::uint32_t witness;
+    std::array<std::uint32_t, 5> unused{};  ///< a cache line in all
+  };
 
   /** \brief From the nearest seeds of the representative: it and the point see a seed in nearly the same direction, so
    * their distances from it go like the straight ones. */
-  [[nodiscard]] Label label(const Eigen::Vector3f& point,
-                            const Eigen::Vector3f& representative,
-                            const NearestSeeds& nearest) const
+  [[nodiscard]] Label label_beside(const Eigen::Vector3f& point, const Entry& representative) const
   {
+    const NearestSeeds& nearest = representative.nearest;
     Label label{nearest.seed[0], NearestSeeds::infinity};
     // What is farther from the representative by more than both ways to it and back remains farther.
-    const float farthest = nearest.distance[0] + 2 * (point - representative).norm();
+    const float farthest = nearest.distance[0] + 2 * (point - representative.position).norm();
     for (std::size_t i = 0; i < NearestSeeds::capacity && nearest.seed[i] != NearestSeeds::none; ++i) {
       if (nearest.distance[i] > farthest) break;
       const Eigen::Vector3f& seed = seed_position_[nearest.seed[i]];
-      const float there = (representative - seed).squaredNorm();
+      const float there = (representative.position - seed).squaredNorm();
       const float here = (point - seed).squaredNorm();
       const float distance = there > 0 ? nearest.distance[i] * std::sqrt(here / there) : std::sqrt(here);
       if (distance < label.distance) label = {nearest.seed[i], distance};
@@ -70,9 +148,44 @@ class LabelsBeside
     return label;
   }
 
- private:
-  std::vector<Eigen::Vector3f> seed_position_;  ///< side by side: all points' would not stay in the cache
+  const PointCloudView& cloud_;
+  Eigen::Vector3d origin_;
+  double unit_;
+  std::vector<Eigen::Vector3f> seed_position_;  ///< by number
+  PointArray<Entry> entry_;                     ///< by rank
 };
+
+/** \brief Labels each input point, and lists the witnesses. */
+template <typename LabelsOfPoints>
+void describe_with(const LabelsOfPoints& labels,
+                   const OrderedPoints& points,
+                   Reconstruction& result,
+                   const Parallel& parallel)
+{
+  using Indices = std::vector<std::uint32_t>;
+  // Points that are labelled while one's entry comes from memory, and then what the entry refers to.
+  constexpr std::size_t far_ahead = 48;
+  constexpr std::size_t ahead = 16;
+  const auto label = [&](std::size_t i, Indices& witnesses) {
+    const std::uint32_t rank = points.rank_of_input[i];
+    if (rank == no_rank) return;
+    const Label found = labels.label(i, rank);
+    result.voronoi.label[i] = found.seed;
+    result.voronoi.distance[i] = static_cast<float>(static_cast<double>(found.distance) * points.unit);
+    if (labels.is_witness(rank)) witnesses.push_back(static_cast<std::uint32_t>(i));
+  };
+  const auto label_block = [&](std::size_t begin, std::size_t end, Indices& witnesses) {
+    const auto rank_at = [&](std::size_t i) { return i < end ? points.rank_of_input[i] : no_rank; };
+    for (std::size_t i = begin; i < end; ++i) {
+      if (const std::uint32_t rank = rank_at(i + far_ahead); rank != no_rank) labels.fetch(rank);
+      if (const std::uint32_t rank = rank_at(i + ahead); rank != no_rank) labels.fetch_seeds(rank);
+      label(i, witnesses);
+    }
+  };
+  for (const Indices& part :
+       parallel_parts<Indices>(points.rank_of_input.size(), points_per_block, parallel, label_block))
+    append(result.witness_points, part);
+}
 
 }  // namespace
 
@@ -131,42 +244,14 @@ void describe_points(const PointCloudView& cloud,
                      Reconstruction& result,
                      const Parallel& parallel)
 {
-  using Indices = std::vector<std::uint32_t>;
-  constexpr std::size_t block = 32768;
   const std::size_t n = points.rank_of_input.size();
   result.voronoi.label.resize(n, no_label);
   result.voronoi.distance.resize(n, std::numeric_limits<float>::quiet_NaN());
   if (sampling.nearest.empty()) return;
-  std::optional<LabelsBeside> beside;
-  if (points.thinned_points > 0) beside.emplace(points, sampling);
-  const auto describe = [&](std::size_t i, Indices& witnesses) {
-    const std::uint32_t rank = points.rank_of_input[i];
-    if (rank == no_rank) return;
-    const NearestSeeds& nearest = sampling.nearest[rank];
-    Label label{nearest.seed[0], nearest.distance[0]};
-    if (beside && points.input_index[rank] != i) {
-      const Eigen::Vector3f position = ((cloud.positions[i] - points.origin) / points.unit).cast<float>();
-      label = beside->label(position, points.position[rank], nearest);
-    }
-    result.voronoi.label[i] = number_of_seed[label.seed];
-    result.voronoi.distance[i] = static_cast<float>(static_cast<double>(label.distance) * points.unit);
-    if (voronoi.witness[rank] != 0) witnesses.push_back(static_cast<std::uint32_t>(i));
-  };
-  const auto fetch = [&](std::size_t i) {
-    const std::uint32_t rank = points.rank_of_input[i];
-    if (rank == no_rank) return;
-    __builtin_prefetch(&sampling.nearest[rank]);
-    __builtin_prefetch(&points.position[rank]);
-  };
-  constexpr std::size_t ahead = 32;  // points that are described while one's seeds come from memory
-  const auto describe_block = [&](std::size_t begin, std::size_t end, Indices& witnesses) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i + ahead < end) fetch(i + ahead);
-      describe(i, witnesses);
-    }
-  };
-  for (const Indices& part : parallel_parts<Indices>(n, block, parallel, describe_block))
-    append(result.witness_points, part);
+  if (points.thinned_points > 0)
+    describe_with(LabelsBeside(cloud, points, sampling, voronoi, number_of_seed, parallel), points, result, parallel);
+  else
+    describe_with(Labels(sampling, voronoi, number_of_seed, parallel), points, result, parallel);
 }
 
 void describe_seed_graph(const SeedGraph& graph,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_pds_recon/point_array.h>
 
-#include <cstdint>
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <cstdint>
+#include "page_pool.h"
 #endif
 
 namespace pds
@@ -12,8 +13,6 @@ namespace pds
 #if defined(__linux__)
 namespace
 {
-
-constexpr std::size_t huge_page = std::size_t{1} << 21;  // bytes, on x86-64 and most ARM systems
 
 bool is_large(std::size_t bytes) { return bytes >= 2 * huge_page; }
 
@@ -34,15 +33,16 @@ void* allocate_large(std::size_t bytes)
   if (before > 0) munmap(begin, before);
   munmap(begin + before + size, huge_page - before);
   madvise(begin + before, size, MADV_HUGEPAGE);  // advice: where it is refused, small pages do
+  page_pool().move_pages_to(begin + before, size);
   return begin + before;
 }
 
 void free_large(void* memory, std::size_t bytes) noexcept
 {
-  if (is_large(bytes))
-    munmap(memory, whole_pages(bytes));
-  else
+  if (!is_large(bytes))
     ::operator delete(memory);
+  else if (!page_pool().put(static_cast<char*>(memory), whole_pages(bytes)))
+    munmap(memory, whole_pages(bytes));
 }
 #else
 void* allocate_large(std::size_t bytes) { return ::operator new(bytes); }

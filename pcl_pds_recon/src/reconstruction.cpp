@@ -19,10 +19,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include "cloud_distance.h"
 #include "dimension.h"
 #include "output.h"
+#include "page_pool.h"
 #include "preparation.h"
 #include "radius_search.h"
 #include "relaxation.h"
@@ -108,7 +110,10 @@ class Run
     dual.voronoi = build_geodesic_voronoi(found_.points, found_.graph, metric_.weights, sampling,
                                           options_.voronoi_threshold, parallel_);
     if (!allowed.empty()) keep_evidence(sampling, allowed, dual.voronoi);
-    if (!repeats_) found_.graph = NeighborGraph();  // half of the memory, and of no more use
+    if (!repeats_) {
+      pages_.reset();                  // what follows works on seeds, in small arrays
+      found_.graph = NeighborGraph();  // half of the memory, and of no more use
+    }
     clock_.start("seed_graph", 0.8, report_.seconds.seed_graph);
     dual.seeds = describe_seeds(cloud_, found_.points, found_.surface, sampling, dual.voronoi, parallel_);
     dual.graph = build_seed_graph(dual.seeds, dual.voronoi.pairs, parallel_);
@@ -219,6 +224,7 @@ class Run
                                 given);
   }
 
+  std::optional<PageReuse> pages_{std::in_place};
   const PointCloudView& cloud_;
   const Options& options_;
   Parallel parallel_;
