@@ -175,7 +175,7 @@ bool GeodesicDisk::is_supported(std::uint32_t node) const
   const auto leads_inwards = [this, arc](std::uint32_t neighbor) { return settled_[node_of(neighbor)] < arc; };
   const NeighborSpan nearest = graph_.nearest(patch_[node]);
   // One of the first few nearly always does: all are looked at, for a branch that goes one way costs nothing.
-  constexpr std::size_t few = 8;
+  constexpr std::size_t few = 4;
   if (nearest.size() >= few) {
     unsigned inwards = 0;
     for (std::size_t i = 0; i < few; ++i) inwards += leads_inwards(nearest.begin()[i]) ? 1U : 0U;
