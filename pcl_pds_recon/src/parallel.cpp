@@ -2,7 +2,9 @@
 #include <pcl_pds_recon/parallel.h>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -11,6 +13,16 @@ namespace pds
 {
 namespace
 {
+
+/** \brief Leaves the core's units to another thread for an instant. */
+void relax_core()
+{
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  __asm__ __volatile__("yield");
+#endif
+}
 
 /** \brief One loop: hands out its blocks and keeps the first exception. */
 class Loop
@@ -50,13 +62,31 @@ class Loop
   std::exception_ptr first_exception_;
 };
 
+/** \brief True if it happens before long. A thread that sleeps takes longer to wake up than many loops take to run, and
+ * the next one mostly comes at once. */
+template <typename Event>
+bool happens_soon(const Event& event)
+{
+  constexpr std::chrono::microseconds patience(50);  // about as long as it takes to fall asleep and wake up
+  constexpr int looks = 64;                          // between two at the clock
+  const auto end = std::chrono::steady_clock::now() + patience;
+  do {
+    for (int look = 0; look < looks; ++look) {
+      if (event()) return true;
+      relax_core();
+    }
+  } while (std::chrono::steady_clock::now() < end);
+  return false;
+}
+
 }  // namespace
 
-/** \brief Threads that sleep until there is a loop to help with. */
+/** \brief Threads that sleep until there is a loop to help with, if it does not come soon. */
 class Parallel::Team
 {
  public:
-  Team() = default;
+  /** \param spin true if there is a core for each thread */
+  explicit Team(bool spin) : spin_(spin) {}
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
   ~Team()
@@ -78,12 +108,18 @@ class Parallel::Team
       loop_ = &loop;
       wanted_ = helpers;
       joined_ = 0;
+      ++posted_;
     }
     enlist(helpers);
     for (unsigned helper = 0; helper < helpers; ++helper) loop_posted_.notify_one();
     loop.work(0);
     std::unique_lock<std::mutex> lock(mutex_);
     loop_ = nullptr;  // who has not come by now finds nothing left to do
+    if (working_ > 0 && spin_) {
+      lock.unlock();
+      happens_soon([this] { return working_ == 0; });
+      lock.lock();
+    }
     helpers_left_.wait(lock, [this] { return working_ == 0; });
     in_use_.store(false, std::memory_order_release);
     return true;
@@ -112,11 +148,20 @@ class Parallel::Team
       loop.work(worker);
       lock.lock();
       if (--working_ == 0) helpers_left_.notify_one();
+      if (!spin_) continue;
+      const std::uint64_t posted = posted_;
+      lock.unlock();
+      happens_soon([&] { return posted_ != posted; });
+      lock.lock();
     }
   }
 
+  const bool spin_;
   std::atomic<bool> in_use_{false};  ///< a loop runs
   std::vector<std::thread> threads_;
+  // Written under the mutex, looked at without it by who waits for a change.
+  std::atomic<std::uint64_t> posted_{0};  ///< loops so far
+  std::atomic<unsigned> working_{0};      ///< helpers at work
 
   std::mutex mutex_;  ///< guards what follows
   std::condition_variable loop_posted_;
@@ -124,14 +169,13 @@ class Parallel::Team
   Loop* loop_ = nullptr;
   unsigned wanted_ = 0;
   unsigned joined_ = 0;
-  unsigned working_ = 0;
   bool dismissed_ = false;
 };
 
 Parallel::Parallel(unsigned threads)
     : threads_(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency()))
 {
-  if (threads_ > 1) team_ = std::make_shared<Team>();
+  if (threads_ > 1) team_ = std::make_shared<Team>(threads_ <= std::thread::hardware_concurrency());
 }
 
 void Parallel::blocks(std::size_t count,
