@@ -169,10 +169,11 @@ class CellSurvey
   {
     const NeighborSpan row = graph_.nearest(point);
     // Whether the next one is a stranger cannot be foretold: written without a branch this takes half the time.
+    const std::uint32_t seed = seed_;  // a copy, which what is written below cannot change
     std::size_t strangers = 0;
     for (const std::uint32_t neighbor : row) {
       strangers_[strangers] = neighbor;
-      strangers += label_[neighbor] != seed_ ? 1 : 0;
+      strangers += label_[neighbor] != seed ? 1 : 0;
     }
     std::size_t cells = 0;
     for (std::size_t i = 0; i < strangers; ++i) {
