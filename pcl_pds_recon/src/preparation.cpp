@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 #include <vector>
+#include "surface_sampling.h"
 
 namespace pds
 {
@@ -21,6 +22,12 @@ namespace
 
 constexpr int most_sortings = 2;    // of outliers; more find little
 constexpr int most_smoothings = 4;  // noise of one interval takes three; what is left then is no surface
+
+// Voxels that make one of points too close to each other; shares of the box.
+constexpr double finest_voxel = 1.0 / (1 << 20);  // there are no more numbers for finer ones
+constexpr double coarsest_voxel = 0.1;            // what is no surface then will be none
+constexpr double coarsening = 1.25;               // from voxel to voxel, if nothing else tells how large they must be
+constexpr double least_merging = 0.6;             // sampling intervals; on a line these are four points long
 
 // Sampling intervals of deviation from a plane part that is thinned before noise is looked for: as much as would be
 // noise.
@@ -118,6 +125,7 @@ class Preparation
   {
     order();
     join();
+    merge_close_points();
     leave_out_outliers();
     smooth();
     found_.interval = found_.graph.sampling_interval;
@@ -134,8 +142,11 @@ class Preparation
     return !radius_is_absolute(options_) && options_.max_error == 0;
   }
 
-  /** \brief The distinct points that are no outliers, thinned ones among them. */
-  [[nodiscard]] std::size_t points_of_surface() const { return found_.points.size() + found_.points.thinned_points; }
+  /** \brief The distinct points that are no outliers, thinned ones among them but for those that were too close. */
+  [[nodiscard]] std::size_t points_of_surface() const
+  {
+    return found_.points.size() + found_.points.thinned_points - close_points_;
+  }
 
   [[nodiscard]] double radius_of(double interval) const
   {
@@ -207,6 +218,26 @@ class Preparation
     interval *= unthinned_over_thinned_;
   }
 
+  /** \brief Points that are rows or clumps at the reach of their neighbours may be a surface at a larger one: of those
+   * in a voxel as wide as the sampling interval one stays, until they are. Points that never are stay as they were. */
+  void merge_close_points()
+  {
+    if (is_sampled_as_surface(found_.graph, parallel_)) return;
+    sample_.reset();
+    for (double voxel = finest_voxel; voxel < coarsest_voxel; voxel *= coarsening) {
+      voxel = std::max(voxel, least_merging * found_.graph.sampling_interval);
+      const std::size_t points = found_.points.size();
+      found_.points = thin_points(std::move(found_.points), voxel, parallel_);
+      if (found_.points.size() == points) continue;
+      join();
+      close_points_ = found_.points.thinned_points;
+      if (is_sampled_as_surface(found_.graph, parallel_)) return;
+    }
+    close_points_ = 0;
+    order();
+    join();
+  }
+
   void leave_out_outliers()
   {
     // Without their company, more outliers stand alone.
@@ -246,6 +277,7 @@ class Preparation
   const Parallel& parallel_;
   double fineness_;  ///< voxels per radius, if all points are thinned
   Neighborhoods found_;
+  std::size_t close_points_ = 0;      ///< thinned ones that do not count, for the interval is that of the others
   std::vector<std::uint8_t> parted_;  ///< by input index, whether its row lost points of another sheet; empty: none
   std::optional<SampledInterval> sample_;  ///< if only plane parts have been thinned
   double unthinned_over_thinned_ = 1;      ///< sampling interval

@@ -39,7 +39,7 @@ struct Report
   std::size_t valid_points = 0;    ///< of these, with finite coordinates
   std::size_t merged_points = 0;   ///< of the valid ones, dropped because a coincident point represents them
   std::size_t outliers = 0;        ///< of the rest, left out because they belong to no surface
-  std::size_t thinned_points = 0;  ///< of the rest, left out because the radius does not need them
+  std::size_t thinned_points = 0;  ///< of the rest, left out because the radius does not need them, or too close
   bool smoothed = false;           ///< the cloud is noisy: the middle of the noise was taken for the surface
   int k = 0;                       ///< neighbours per point
   /** Mean distance to the k neighbours, in input units (weighted if adaptive); with an absolute radius, of the points
