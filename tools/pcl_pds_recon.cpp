@@ -14,7 +14,9 @@
 #include <spdlog/fmt/fmt.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -90,13 +92,29 @@ std::string summary(const Report& report, Dimension dimension)
                      report.components - report.curves, report.faces, report.boundary_loops);
 }
 
-void print_summary(const Report& report, Dimension dimension, ProgressReporter& progress)
+/** \brief Counts points whose vertex is in no face. */
+std::size_t points_beside_mesh(const Reconstruction& level)
 {
+  const std::vector<std::uint32_t>& labels = level.voronoi.label;
+  return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), [&](std::uint32_t label) {
+    return label != no_label && label >= level.report.vertices;
+  }));
+}
+
+void print_summary(const Reconstruction& level, Dimension dimension, ProgressReporter& progress)
+{
+  constexpr std::size_t least_share = 100;  // one in so many; less is usual, at rims
+  const Report& report = level.report;
   for (const auto& [stage, duration] : stage_times(report.seconds)) {
     progress.detail(fmt::format("{}: {:.3f} s", stage, duration));
   }
   if (report.outliers > 0) {
     progress.info(fmt::format("{} outliers left out", report.outliers));
+  }
+  if (const std::size_t beside = points_beside_mesh(level); beside * least_share > report.valid_points) {
+    progress.info(fmt::format(
+        "{} of {} points are on no face: on parts smaller than the radius, too far apart for it, or scattered", beside,
+        report.valid_points));
   }
   progress.info(fmt::format("{}; {:.2f} s", summary(report, dimension), report.seconds.total));
 }
@@ -137,7 +155,7 @@ void run(const CommandLine& command_line)
     }
   }
   for (const Reconstruction& level : levels) {
-    print_summary(level.report, command_line.options.dimension, progress);
+    print_summary(level, command_line.options.dimension, progress);
   }
 }
 

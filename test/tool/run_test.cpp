@@ -47,6 +47,17 @@ TEST_F(Run, utm_coordinates_come_back_to_the_last_bit)
   EXPECT_EQ(positions(read_points(path("ply.ply"), Parallel(2))), vertices);
 }
 
+TEST_F(Run, says_how_many_points_are_on_no_face)
+{
+  constexpr std::size_t few = 500;
+  write("in.xyz", sphere_rows(point_count, 1, 0, 0) + sphere_rows(few, 0.01, 3, 0));
+  ASSERT_EQ(run("in.xyz out.ply"), 0) << errors();
+  EXPECT_NE((output() + errors()).find("500 of 4500 points are on no face"), std::string::npos) << errors();
+  write("in.xyz", sphere_rows(point_count, 1, 0, 0));
+  ASSERT_EQ(run("in.xyz out.ply"), 0) << errors();
+  EXPECT_EQ((output() + errors()).find("on no face"), std::string::npos) << errors();
+}
+
 TEST_F(Run, colors_and_intensity_of_a_pcd_reach_the_ply)
 {
   write("in.pcd", "VERSION 0.7\nFIELDS x y z rgb intensity\nSIZE 4 4 4 4 4\nTYPE F F F U F\nCOUNT 1 1 1 1 1\nWIDTH " +
