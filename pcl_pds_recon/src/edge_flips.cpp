@@ -21,6 +21,7 @@ constexpr double angle_price = 0.003;    // likewise, for each unit that the cos
 constexpr double largest_rest = 0.8;     // of the squared distances: what falls less may be chance
 constexpr double largest_cosine = 0.94;  // of the smallest angle: 20 degrees
 constexpr double fold_cosine = -0.5;     // of the normals of two faces that enclose 60 degrees
+constexpr double aside_cosine = 0.17;    // likewise, of 100: as fold_removal.cpp has it, a fold and no crease
 
 // Where the diagonals are a gap g apart, the mean square of what a flip changes is g^2 / 6. Where the surface is beyond
 // the new diagonal distances change more than that: half of it is asked for.
@@ -214,17 +215,37 @@ class EdgeFlipper
   {
     double now = plane_[flip.face[0]].normal().dot(plane_[flip.face[1]].normal());
     double flipped = flip.plane[0].normal().dot(flip.plane[1].normal());
-    const std::uint32_t b = flip.corner[1];
     for (const std::uint32_t face : flip.face)
       for (std::size_t side = 0; side < 3; ++side) {
         const std::uint32_t beside = fans_.across(face, side);
         if (beside == TriangleComplex::no_face || beside == flip.face[0] || beside == flip.face[1]) continue;
         const Vector3d& normal = plane_[beside].normal();
-        const bool at_b = triangles_[face][side] == b || triangles_[face][(side + 1) % 3] == b;
         now = std::min(now, normal.dot(plane_[face].normal()));
-        flipped = std::min(flipped, normal.dot(flip.plane[at_b ? 0 : 1].normal()));
+        flipped = std::min(flipped, normal.dot(flip.plane[is_at_b(flip, face, side) ? 0 : 1].normal()));
       }
-    return flipped < std::min(now, fold_cosine);
+    return flipped < std::min(now, fold_cosine) || is_aside(flip);
+  }
+
+  /** \brief True if a new face turns away from the other one and from all beside it: one that is turned over. */
+  [[nodiscard]] bool is_aside(const Flip& flip) const
+  {
+    const double between = flip.plane[0].normal().dot(flip.plane[1].normal());
+    std::array<double, 2> flattest{between, between};
+    for (const std::uint32_t face : flip.face)
+      for (std::size_t side = 0; side < 3; ++side) {
+        const std::uint32_t beside = fans_.across(face, side);
+        if (beside == TriangleComplex::no_face || beside == flip.face[0] || beside == flip.face[1]) continue;
+        const std::size_t now_of = is_at_b(flip, face, side) ? 0 : 1;
+        flattest[now_of] = std::max(flattest[now_of], plane_[beside].normal().dot(flip.plane[now_of].normal()));
+      }
+    return std::min(flattest[0], flattest[1]) < aside_cosine;
+  }
+
+  /** \brief True if a side of one of the two old faces is at b: the first new face has it then, else the second. */
+  [[nodiscard]] bool is_at_b(const Flip& flip, std::uint32_t face, std::size_t side) const
+  {
+    const Triangle& t = triangles_[face];
+    return t[side] == flip.corner[1] || t[(side + 1) % 3] == flip.corner[1];
   }
 
   /** \brief Measures how far the points are from the faces now and flipped. Each point of a cell counts for the face

@@ -106,5 +106,14 @@ TEST(EdgeFlips, FoldNothing)
   EXPECT_EQ(cells.flipped(across_the_ridge), across_the_ridge);
 }
 
+/** \brief A vertex high over the floor that the points are of: flipped, one face would lie on the floor, and the other
+ * one stand against all that is beside it. */
+TEST(EdgeFlips, TurnNoFaceOver)
+{
+  const auto floor = [](double, double) { return 0.0; };
+  const Cells cells({{-0.8, 0, 0}, {-0.2, 0, 1.13}, {0, 0.8, 0}, {0, -0.8, 0}}, 0.8, floor);
+  EXPECT_EQ(cells.flipped(across_the_ridge), across_the_ridge);
+}
+
 }  // namespace
 }  // namespace pds_test
