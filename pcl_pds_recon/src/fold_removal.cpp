@@ -58,8 +58,9 @@ class FoldRemover
   struct Surroundings
   {
     Triangles faces;
-    double sharpest = -1;  ///< cosine of the least angle that the faces and these enclose
-    bool on_rim = false;   ///< and somewhere there is nothing
+    double sharpest = -1;   ///< cosine of the least angle that the faces and these enclose
+    std::size_t edges = 0;  ///< to these
+    bool on_rim = false;    ///< and somewhere there is nothing
   };
 
   /** \brief What is small enough to be a speck between edges at which faces turn aside. */
@@ -139,6 +140,7 @@ class FoldRemover
         }
         const Triangle beside = complex_.oriented(other);
         if (contains(part, beside)) return;
+        ++found.edges;
         found.sharpest = std::max(found.sharpest, cosine);
         found.faces.push_back(beside);
       });
@@ -149,6 +151,8 @@ class FoldRemover
   bool remove(const Triangles& part)
   {
     const Surroundings beside = surroundings(part);
+    // A patch at a rim that only one edge holds is not held by a surface that goes on.
+    if (beside.on_rim && beside.edges == 1) return take_out(part, false);
     if (beside.sharpest <= std::cos(folded)) return false;
     if (beside.on_rim) return take_out(part, false);
     const auto replace_with = [&](const Triangles& more) {
@@ -201,7 +205,7 @@ class FoldRemover
       for (const std::uint32_t v : rim) changed_[v] = 1;
       return true;
     }
-    for (const Triangle& t : faces) complex_.add(t, 0.0);
+    for (const Triangle& t : faces) complex_.add(t, 0.0);  // legal, for all else is as it was with them
     return false;
   }
 

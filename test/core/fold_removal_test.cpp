@@ -126,6 +126,54 @@ TEST(FoldRemoval, DropsAPatchThatHangsOnUpsideDown)
   EXPECT_EQ(examine_complex(complex).boundary_loops, 1U);
 }
 
+/** \brief Faces along the rim of the grid that lean to it by 70 degrees.
+ * \param edges of the rim that they hang on by */
+Points leaning_patch(std::uint32_t edges)
+{
+  constexpr double lean = 70 * pi / 180;
+  Points outer;
+  for (std::uint32_t y = 5; y <= 5 + edges; ++y) outer.emplace_back(-std::cos(lean), y, std::sin(lean));
+  return outer;
+}
+
+std::size_t faces_left_of_patch(std::uint32_t edges)
+{
+  const Points position = grid_and(leaning_patch(edges));
+  TriangleComplex complex(position);
+  fill_grid(complex);
+  const std::size_t faces = complex.faces().size();
+  for (std::uint32_t i = 0; i < edges; ++i) {
+    const std::uint32_t outer = side * side + i;
+    EXPECT_EQ(complex.add({at(0, 5 + i), at(0, 6 + i), outer}, 0.0), TriangleComplex::Verdict::legal);
+    EXPECT_EQ(complex.add({at(0, 6 + i), outer + 1, outer}, 0.0), TriangleComplex::Verdict::legal);
+  }
+  pds::remove_folds(complex, no_borders, {});
+  return complex.faces().size() - faces;
+}
+
+TEST(FoldRemoval, DropsAPatchThatOneEdgeHolds)
+{
+  EXPECT_EQ(faces_left_of_patch(1), 0U);
+  EXPECT_EQ(faces_left_of_patch(3), 6U);
+}
+
+TEST(FoldRemoval, PutsBackWhatItCannotMend)
+{
+  const Points position = grid_and({Vector3d(9.7, 9.4, 0.5)});
+  TriangleComplex complex(position);
+  fill_grid(complex);
+  const std::uint32_t leaning = side * side;
+  complex.remove(face_of(complex, at(9, 9), at(10, 10), at(9, 10)));
+  complex.add({at(9, 9), at(10, 10), leaning}, 0.0);
+  complex.add({at(10, 10), at(9, 10), leaning}, 0.0);
+  complex.add({at(9, 10), at(9, 9), leaning}, 0.0);
+  const auto before = corners_of(complex);
+  pds::FillLimits nothing;
+  nothing.area = 0;
+  EXPECT_EQ(pds::remove_folds(complex, no_borders, nothing), 0U);
+  EXPECT_EQ(corners_of(complex), before);
+}
+
 TEST(FoldRemoval, KeepsWhatIsLargerThanASpeckOrByItself)
 {
   // A wall five wide and four high on the rim, leaning back over the grid, and a tetrahedron.

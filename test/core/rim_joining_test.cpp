@@ -92,7 +92,7 @@ TEST(RimJoining, LeavesParallelSheets)
   }
 }
 
-TEST(RimJoining, LeavesSheetsThatMeetAtAnAngle)
+TEST(RimJoining, JoinsSheetsAtAnAngleOnlyIfItIsNearlyFlat)
 {
   const auto half = [](const Eigen::Vector3d& p) { return p.y() > 0; };
   for (const double degrees : {60, 90, 160, 170}) {
