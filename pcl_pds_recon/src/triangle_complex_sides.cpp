@@ -45,4 +45,13 @@ bool TriangleComplex::opposed(const Triangle& t, const ThreeFaces& across) const
   return false;
 }
 
+std::size_t TriangleComplex::remove_opposed()
+{
+  std::vector<std::uint32_t> opposed;
+  for (const std::uint32_t f : faces())
+    if (const Side side = side_by_normals(oriented(f)); side == Side::back || side == Side::torn) opposed.push_back(f);
+  for (const std::uint32_t f : opposed) remove(f);
+  return opposed.size();
+}
+
 }  // namespace pds

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <pcl_pds_recon/orientation_forest.h>
@@ -101,6 +102,15 @@ class TriangleComplex
 
   /** \brief What add() would say. */
   [[nodiscard]] Verdict judge(const Triangle& triangle, double smallest_angle) const;
+
+  /** \brief Judges what is added from now on by other normals. What is there already stays.
+   * \param outward as for the constructor */
+  void believe_normals(std::vector<Eigen::Vector3d> outward) { outward_ = std::move(outward); }
+
+  /** \brief Takes out the faces that are on the other side than the normals at their corners tell, or have corners on
+   * both. Sides are those of oriented().
+   * \return the number of faces removed */
+  std::size_t remove_opposed();
 
   /** \brief Takes a face out; the others keep their numbers. */
   void remove(std::uint32_t face);
