@@ -20,8 +20,9 @@ namespace pds
 namespace
 {
 
-constexpr int most_sortings = 2;    // of outliers; more find little
-constexpr int most_smoothings = 4;  // noise of one interval takes three; what is left then is no surface
+constexpr int most_sortings = 2;            // of outliers; more find little
+constexpr std::size_t layered_share = 100;  // misfitting scans are in layers: so many points have one beside theirs
+constexpr int most_smoothings = 4;          // noise of one interval takes three; what is left then is no surface
 
 // Voxels that make one of points too close to each other; shares of the box.
 constexpr double finest_voxel = 1.0 / (1 << 20);  // there are no more numbers for finer ones
@@ -187,17 +188,20 @@ class Preparation
     if (sample_) restore_interval(found_.graph.sampling_interval);
   }
 
-  /** \brief Parts sheets; in a smoothed cloud only where the scan itself had them, for smoothing makes layers of noise.
-   */
+  /** \brief Parts sheets; in a smoothed cloud that was in layers only where it had them before, for smoothing brings
+   * layers out. */
   void part_sheets()
   {
     std::vector<std::uint8_t> candidate;
-    if (found_.points.smoothed) {
+    if (found_.points.smoothed && in_layers_) {
       if (parted_.empty()) return;
       candidate = parted_before();
     }
     parted_.clear();
-    if (separate_sheets(cloud_, found_.points, found_.graph, found_.surface, parallel_, candidate) == 0) return;
+    const SheetCounts sheets =
+        separate_sheets(cloud_, found_.points, found_.graph, found_.surface, parallel_, candidate);
+    if (!found_.points.smoothed) in_layers_ = sheets.too_near * layered_share > found_.points.size();
+    if (sheets.parted == 0) return;
     parted_.resize(cloud_.size);
     for (std::size_t i = 0; i < found_.points.size(); ++i)
       if (found_.graph.reach[i].rank == Reach::parted) parted_[found_.points.input_index[i]] = 1;
@@ -278,6 +282,7 @@ class Preparation
   double fineness_;  ///< voxels per radius, if all points are thinned
   Neighborhoods found_;
   std::size_t close_points_ = 0;      ///< thinned ones that do not count, for the interval is that of the others
+  bool in_layers_ = false;            ///< as scans are that misfit; noise by itself makes none
   std::vector<std::uint8_t> parted_;  ///< by input index, whether its row lost points of another sheet; empty: none
   std::optional<SampledInterval> sample_;  ///< if only plane parts have been thinned
   double unthinned_over_thinned_ = 1;      ///< sampling interval

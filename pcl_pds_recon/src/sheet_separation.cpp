@@ -155,7 +155,7 @@ Sheets wider_than_noise(Sheets sheets,
 
 }  // namespace
 
-std::size_t separate_sheets(const PointCloudView& cloud,
+SheetCounts separate_sheets(const PointCloudView& cloud,
                             const OrderedPoints& points,
                             NeighborGraph& graph,
                             SurfaceEstimate& surface,
@@ -169,9 +169,11 @@ std::size_t separate_sheets(const PointCloudView& cloud,
   });
   Sheets chosen = choose_sheets(std::move(of_block), points, graph, surface);
   chosen.spread();
+  const std::size_t seeming = chosen.all().size();
   // Normals tell more than noise does, and have been asked already.
   const Sheets sheets = cloud.normals ? std::move(chosen) : wider_than_noise(std::move(chosen), points, graph, surface);
-  if (sheets.all().empty()) return 0;
+  const SheetCounts counts{sheets.all().size(), seeming - sheets.all().size()};
+  if (sheets.all().empty()) return counts;
 
   const bool full = graph.own_count.empty();
   if (full) graph.own_count.resize(points.size());
@@ -187,7 +189,7 @@ std::size_t separate_sheets(const PointCloudView& cloud,
     graph.reach[at] = {(points.position[at] - points.position[row.back()]).squaredNorm(), Reach::parted};
     fit_planes(set, points, graph, at, at + 1, surface);
   });
-  return sheets.all().size();
+  return counts;
 }
 
 }  // namespace pds

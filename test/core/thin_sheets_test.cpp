@@ -320,10 +320,11 @@ struct ListedCloud
   {
   }
 
-  std::size_t separate(const std::vector<std::uint8_t>& candidate = {})
+  pds::SheetCounts count(const std::vector<std::uint8_t>& candidate = {})
   {
     return pds::separate_sheets(cloud, points, graph, surface, parallel, candidate);
   }
+  std::size_t separate(const std::vector<std::uint8_t>& candidate = {}) { return count(candidate).parted; }
 
   pds::Parallel parallel{2};
   pds::PointCloudView cloud;
@@ -342,6 +343,20 @@ std::size_t rows_of_both(const ListedCloud& listed, std::size_t points_of_first)
     count += std::any_of(row.begin(), row.end(), [&](auto j) { return is_of_first(j) != is_of_first(i); }) ? 1 : 0;
   }
   return count;
+}
+
+TEST(SheetSeparation, TellsLayersOfMisfittingScansFromNoise)
+{
+  const Points layers = misfitting_scans(0.7, 12, 15000);
+  const pds::SheetCounts of_layers = ListedCloud(view_of(layers)).count();
+  EXPECT_GT(of_layers.too_near, layers.size() / 20);
+  EXPECT_LT(of_layers.parted, layers.size() / 1000);
+
+  const double interval = interval_of(4 * pi, small_cloud);
+  Random random(2);
+  Points noise = sphere(small_cloud);
+  for (Eigen::Vector3d& p : noise) p *= 1 + interval * random.normal();
+  EXPECT_LT(ListedCloud(view_of(noise)).count().too_near, noise.size() / 1000);
 }
 
 TEST(SheetSeparation, LeavesNoRowWithPointsOfBothSheets)

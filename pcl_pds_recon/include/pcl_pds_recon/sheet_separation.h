@@ -12,6 +12,13 @@
 namespace pds
 {
 
+/** \brief What separate_sheets() found, in points. */
+struct SheetCounts
+{
+  std::size_t parted = 0;    ///< with a second sheet beside theirs
+  std::size_t too_near = 0;  ///< that seem to have one, but no farther away than noise is thick elsewhere
+};
+
 /** \brief Parts two sheets that are nearer to each other than neighbours reach: the sides of a thin plate, or surfaces
  * that nearly touch.
  *
@@ -23,9 +30,8 @@ namespace pds
  * \param graph of which the rows are known; they are joined afterwards
  * \param surface of the graph, fitted anew where rows change
  * \param candidate by point, 0 if it is known to have no second sheet; empty: all may
- * \return how many points have a second sheet beside theirs
  */
-std::size_t separate_sheets(const PointCloudView& cloud,
+SheetCounts separate_sheets(const PointCloudView& cloud,
                             const OrderedPoints& points,
                             NeighborGraph& graph,
                             SurfaceEstimate& surface,
