@@ -33,14 +33,16 @@ bool is_scatter(const TriangleComplex& complex, const SeedGeometry& seeds, const
   return static_cast<double>(boundary_edges) > frayed * count && curvature > volume_curvature * count;
 }
 
-/** \brief Removes small components that are no surface. */
-void remove_specks(TriangleComplex& complex, const SeedGeometry& seeds)
+/** \brief Removes small components that are no surface.
+ * \param seeds null if scatter stays */
+void remove_specks(TriangleComplex& complex, const SeedGeometry* seeds)
 {
   const auto components = complex.components();
   std::size_t largest = 0;
   for (const auto& c : components) largest = std::max(largest, c.size());
   for (const auto& c : components) {
-    if (is_speck(c.size(), largest) || (c.size() * scatter_share < largest && is_scatter(complex, seeds, c)))
+    if (is_speck(c.size(), largest) ||
+        (seeds != nullptr && c.size() * scatter_share < largest && is_scatter(complex, *seeds, c)))
       for (const std::uint32_t f : c) complex.remove(f);
   }
 }
@@ -52,7 +54,14 @@ bool is_speck(std::size_t faces, std::size_t largest) { return faces < speck_fac
 void clean_mesh(TriangleComplex& complex, const SeedGeometry& seeds)
 {
   complex.remove_pinches();
-  remove_specks(complex, seeds);
+  remove_specks(complex, &seeds);
+  complex.rebuild_orientation();
+}
+
+void clean_cuts(TriangleComplex& complex)
+{
+  complex.remove_pinches();
+  remove_specks(complex, nullptr);
   complex.rebuild_orientation();
 }
 

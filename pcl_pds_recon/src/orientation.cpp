@@ -89,12 +89,16 @@ Eigen::Vector3d viewpoint(const PointCloudView& cloud, std::size_t point)
 
 OrientationCues orientation_cues(const PointCloudView& cloud,
                                  const OrderedPoints& points,
-                                 const PoissonDiskSampling& sampling)
+                                 const PoissonDiskSampling& sampling,
+                                 const std::vector<Vector3d>& outward)
 {
   OrientationCues cues;
   if (cloud.normals)
     for (const std::uint32_t rank : sampling.seeds) cues.normal.push_back(cloud.normals[points.input_index[rank]]);
-  if (!cloud.viewpoints && !cloud.sensor_origin) return cues;
+  if (!cloud.viewpoints && !cloud.sensor_origin) {
+    if (!cloud.normals) cues.normal = outward;
+    return cues;
+  }
   for (const std::uint32_t rank : sampling.seeds)
     cues.viewpoint.emplace_back((viewpoint(cloud, points.input_index[rank]) - points.origin) /
                                 (points.unit * sampling.radius));

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "view_from_above.h"
+
 namespace pds
 {
 namespace
@@ -46,6 +48,7 @@ std::vector<Vector3d> outward_normals(const PointCloudView& cloud,
                                       const GeodesicVoronoi& voronoi,
                                       const Parallel& parallel)
 {
+  if (!cloud.normals && !cloud.viewpoints && !cloud.sensor_origin) return outward_from_above(seeds, parallel);
   if (!cloud.normals && !cloud.viewpoints) return {};
   constexpr std::size_t block = 256;
   constexpr double least_mean = 0.3;  // of unit normals; below it they point all ways, or lines of sight graze

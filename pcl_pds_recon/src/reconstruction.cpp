@@ -15,6 +15,7 @@
 #include <pcl_pds_recon/seed_faces.h>
 #include <pcl_pds_recon/seed_graph.h>
 #include <pcl_pds_recon/side_mending.h>
+#include <pcl_pds_recon/side_parting.h>
 #include <pcl_pds_recon/triangle_complex.h>
 #include <pcl_pds_recon/version.h>
 #include <algorithm>
@@ -121,9 +122,9 @@ class Run
 
     clock_.start("faces", 0.85, report_.seconds.faces);
     const SeedFaces faces = trace_faces(dual.graph, dual.seeds, parallel_);
-    std::vector<Eigen::Vector3d> outward = outward_normals(cloud_, found_.points, dual.seeds, dual.voronoi, parallel_);
-    const bool sides_are_known = !outward.empty();
-    TriangleComplex complex(dual.seeds.position, parallel_, std::move(outward));
+    const std::vector<Eigen::Vector3d> outward =
+        outward_normals(cloud_, found_.points, dual.seeds, dual.voronoi, parallel_);
+    TriangleComplex complex(dual.seeds.position, parallel_, outward);
     dual.orientable = add_dual_triangles(complex, faces.triangles, dual.voronoi.triples).empty();
     clock_.start("holes", 0.9, report_.seconds.holes);
     FillLimits limits;
@@ -133,14 +134,15 @@ class Run
     dual.filled_holes = fill_holes(complex, dual.seeds, bordering, faces.polygons, limits);
     if (found_.points.smoothed && limits.perimeter > 0) {
       dual.filled_holes += fill_gaps(complex, dual.seeds, bordering, limits);
-      if (!sides_are_known) mend_sides(complex, dual.seeds, bordering, limits);
+      if (outward.empty()) mend_sides(complex, dual.seeds, bordering, limits);
       remove_small_handles(complex, bordering, limits);
       remove_folds(complex, bordering, limits);
       clean_mesh(complex, dual.seeds);
     }
+    part_sides(complex, outward);
 
     clock_.start("orientation", 0.95, report_.seconds.orientation);
-    dual.triangles = orient_faces(complex, orientation_cues(cloud_, found_.points, sampling));
+    dual.triangles = orient_faces(complex, orientation_cues(cloud_, found_.points, sampling, outward));
     return dual;
   }
 

@@ -15,4 +15,7 @@ namespace pds
  */
 void clean_mesh(TriangleComplex& complex, const SeedGeometry& seeds);
 
+/** \brief Likewise after a clean mesh was cut: what is left of scatter hung together with a surface, and stays. */
+void clean_cuts(TriangleComplex& complex);
+
 }  // namespace pds

@@ -15,14 +15,16 @@ namespace pds
 /** \brief What decides the side that is outside; positions are those of the complex. */
 struct OrientationCues
 {
-  std::vector<Eigen::Vector3d> normal;     ///< per vertex, from the input; empty if it has none
+  std::vector<Eigen::Vector3d> normal;     ///< per vertex, from the input, or 0; empty if nothing is known
   std::vector<Eigen::Vector3d> viewpoint;  ///< per vertex: where the sensor stood, or NaN; empty if nothing is known
 };
 
-/** \brief What the cloud tells of its seeds, in the order of these; positions are in radii. */
+/** \brief What the cloud tells of its seeds, in the order of these; positions are in radii.
+ * \param outward of the seeds, which counts if the cloud has neither normals nor viewpoints; may be empty */
 [[nodiscard]] OrientationCues orientation_cues(const PointCloudView& cloud,
                                                const OrderedPoints& points,
-                                               const PoissonDiskSampling& sampling);
+                                               const PoissonDiskSampling& sampling,
+                                               const std::vector<Eigen::Vector3d>& outward);
 
 /** \brief The faces of the complex, each component turned to its outside.
  *
