@@ -30,6 +30,7 @@ class Case:
     options: tuple = ()
     noise: float = 0  # as sample() takes them
     outliers: float = 0
+    thinning: float = 0
     samples: int = 0  # random points of the mesh; 0: the cloud's own points
     peers: bool = False  # also with other tools, at as many vertices
 
@@ -40,6 +41,10 @@ def nefertiti(key, *options, **wishes):
 
 def fandisk(key, *options):
     return Case(key, "fandisk_large.ply", "fandisk_large.ply", options, samples=300_000)
+
+
+def uneven(key, thinning):
+    return Case(key, "nefertiti.ply", "nefertiti.ply", thinning=thinning, samples=1_000_000)
 
 
 def dragon(key, *options):
@@ -66,6 +71,8 @@ CASES = [
     nefertiti("noise_0.2%", noise=0.002),
     nefertiti("noise_0.2%_quadric", *QUADRIC, noise=0.002),
     nefertiti("outliers_5%", outliers=0.05),
+    uneven("uneven_10:1", 10),
+    uneven("uneven_100:1", 100),
 ]
 
 
@@ -136,7 +143,7 @@ def rows(given, case, work):
             yield from peer_rows(given, case, report, work)
     for seed in range(SEED, SEED + given.samples) if case.samples else ():
         cloud = work / f"{case.key}.ply"
-        sample(mesh_file, cloud, case.samples, seed, case.noise, case.outliers)
+        sample(mesh_file, cloud, case.samples, seed, case.noise, case.outliers, case.thinning)
         yield reconstruct_and_compare(given, case, cloud, work)[0]
 
 

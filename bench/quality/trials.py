@@ -25,10 +25,11 @@ def add_folders(parser):
     parser.add_argument("--meshes", type=Path, metavar="DIR", help="keep clouds, meshes and reports here")
 
 
-def sample(mesh_file, cloud_file, count, seed, noise=0, outliers=0):
+def sample(mesh_file, cloud_file, count, seed, noise=0, outliers=0, thinning=0):
     """Random points, evenly over the area, and what is wrong with them.
 
-    noise: standard deviation along the normal, in diagonals; outliers: share of the points.
+    noise: standard deviation along the normal, in diagonals; outliers: share of the points; thinning: of the points in
+    half of the box, one in so many is left.
     """
     mesh = open3d.io.read_triangle_mesh(str(mesh_file))
     corners = numpy.asarray(mesh.vertices)[numpy.asarray(mesh.triangles)]
@@ -43,6 +44,9 @@ def sample(mesh_file, cloud_file, count, seed, noise=0, outliers=0):
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
     sigma = noise * numpy.linalg.norm(high - low)
     points += normals[face] / areas[face][:, None] * random.normal(0, 1, len(face))[:, None] * sigma
+    if thinning:
+        longest = numpy.argmax(high - low)
+        points = points[(points[:, longest] < (low + high)[longest] / 2) | (random.random(len(points)) < 1 / thinning)]
     margin = BOX_MARGIN * (high - low)
     box = random.uniform(low - margin, high + margin, (scattered, 3))
     cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(numpy.concatenate([points, box])))

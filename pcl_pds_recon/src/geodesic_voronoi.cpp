@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 #include "bucket_sort.h"
+#include "local_sparsity.h"
 #include "parallel_parts.h"
 #include "seed_evidence.h"
 
@@ -274,9 +275,11 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   surveyors.clear();
 
   // Evidence for edges that no two overlapping disks could give leaps a gap in the points.
-  const auto limit2 = static_cast<float>(longest_dual_edge * longest_dual_edge * sampling.radius * sampling.radius);
+  voronoi.sparsity = local_sparsity(points, graph, sampling, parallel);
+  const auto limit = static_cast<float>(longest_dual_edge * sampling.radius);
   const auto near = [&](std::uint32_t s, std::uint32_t t) {
-    return (points.position[sampling.seeds[s]] - points.position[sampling.seeds[t]]).squaredNorm() <= limit2;
+    const float longest = limit * std::max(voronoi.sparsity[s], voronoi.sparsity[t]);
+    return (points.position[sampling.seeds[s]] - points.position[sampling.seeds[t]]).squaredNorm() <= longest * longest;
   };
   voronoi.pairs = merge_evidence(
       std::move(pairs), sampling.seeds.size(), [&](const SeedPair& p) { return near(p.a, p.b); }, parallel);

@@ -51,7 +51,7 @@ std::vector<Triangle> fill_in_parts(const TriangleComplex& complex,
     for (std::size_t j = i + 2; j < polygon.size(); ++j) {
       if (!bordering(polygon[i], polygon[j]) || complex.has_edge(polygon[i], polygon[j])) continue;
       const auto parts = divide(polygon, i, j);
-      const double longer = std::max(perimeter(complex, parts[0]), perimeter(complex, parts[1]));
+      const double longer = std::max(perimeter(complex, parts[0], limits), perimeter(complex, parts[1], limits));
       if (longer <= limits.perimeter) chords.emplace_back(longer, i, j);
     }
   std::sort(chords.begin(), chords.end());
@@ -72,7 +72,7 @@ std::vector<Triangle> find_filling(const TriangleComplex& complex,
                                    const Polygon& polygon,
                                    const FillLimits& limits)
 {
-  if (perimeter(complex, polygon) <= limits.perimeter) return triangulate(complex, nullptr, polygon, limits);
+  if (perimeter(complex, polygon, limits) <= limits.perimeter) return triangulate(complex, nullptr, polygon, limits);
   std::vector<Triangle> proven = triangulate(complex, &bordering, polygon, limits);
   return proven.empty() ? fill_in_parts(complex, bordering, polygon, limits) : proven;
 }
@@ -81,7 +81,7 @@ std::size_t fill_loops(TriangleComplex& complex, const BorderingCells& bordering
 {
   const std::vector<Polygon> loops = boundary_loops(complex);
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < loops.size(); ++i) order.emplace_back(perimeter(complex, loops[i]), i);
+  for (std::size_t i = 0; i < loops.size(); ++i) order.emplace_back(perimeter(complex, loops[i], limits), i);
   std::sort(order.begin(), order.end());
   std::size_t filled = 0;
   for (const auto& [length, i] : order)
@@ -115,7 +115,7 @@ bool refill_without(TriangleComplex& complex,
 bool mend_hole(TriangleComplex& complex, const BorderingCells& bordering, const Polygon& loop, const FillLimits& limits)
 {
   FillLimits wider = limits;
-  if (perimeter(complex, loop) <= limits.perimeter) wider.perimeter *= widening;
+  if (perimeter(complex, loop, limits) <= limits.perimeter) wider.perimeter *= widening;
   for (std::size_t i = 0; i < loop.size(); ++i)
     for (const std::uint32_t f : complex.faces_at(loop[i])) {
       const Triangle t = complex.oriented(f);

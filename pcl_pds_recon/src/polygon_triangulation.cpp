@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polygon_triangulation.h"
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -105,7 +106,8 @@ class PolygonTriangulation
 
   [[nodiscard]] bool chord_allowed(std::size_t i, std::size_t j) const
   {
-    return (at(i) - at(j)).norm() <= limits_.chord && !complex_.has_edge(polygon_[i], polygon_[j]) &&
+    return local_length(complex_, polygon_[i], polygon_[j], limits_) <= limits_.chord &&
+           !complex_.has_edge(polygon_[i], polygon_[j]) &&
            (bordering_ == nullptr || (*bordering_)(polygon_[i], polygon_[j]));
   }
 
@@ -130,11 +132,17 @@ std::vector<Triangle> triangulate(const TriangleComplex& complex,
   return triangulation.exists() ? triangulation.triangles() : std::vector<Triangle>{};
 }
 
-double perimeter(const TriangleComplex& complex, const Polygon& polygon)
+double local_length(const TriangleComplex& complex, std::uint32_t a, std::uint32_t b, const FillLimits& limits)
+{
+  const double length = (complex.position()[a] - complex.position()[b]).norm();
+  return limits.sparsity == nullptr ? length : length / std::max((*limits.sparsity)[a], (*limits.sparsity)[b]);
+}
+
+double perimeter(const TriangleComplex& complex, const Polygon& polygon, const FillLimits& limits)
 {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    sum += (complex.position()[polygon[i]] - complex.position()[polygon[(i + 1) % polygon.size()]]).norm();
+    sum += local_length(complex, polygon[i], polygon[(i + 1) % polygon.size()], limits);
   return sum;
 }
 

@@ -17,8 +17,14 @@ namespace pds
                                                 const Polygon& polygon,
                                                 const FillLimits& limits);
 
-/** \brief Length of the polygon's sides. */
-[[nodiscard]] double perimeter(const TriangleComplex& complex, const Polygon& polygon);
+/** \brief Distance of two vertices in the lengths that the limits are in. */
+[[nodiscard]] double local_length(const TriangleComplex& complex,
+                                  std::uint32_t a,
+                                  std::uint32_t b,
+                                  const FillLimits& limits);
+
+/** \brief Length of the polygon's sides, likewise. */
+[[nodiscard]] double perimeter(const TriangleComplex& complex, const Polygon& polygon, const FillLimits& limits);
 
 /** \brief Area of all triangles together. */
 [[nodiscard]] double area_of(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& position);

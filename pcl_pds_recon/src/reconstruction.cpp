@@ -130,6 +130,7 @@ class Run
     FillLimits limits;
     limits.perimeter = options_.hole_size;
     limits.join_rims = found_.points.smoothed;
+    limits.sparsity = &dual.voronoi.sparsity;
     const BorderingCells bordering(dual.voronoi.pairs);
     dual.filled_holes = fill_holes(complex, dual.seeds, bordering, faces.polygons, limits);
     if (found_.points.smoothed && limits.perimeter > 0) {

@@ -202,7 +202,7 @@ class RimJoiner
   {
     if (!rim) return true;
     const Polygon hole = loop_through(complex_, *rim);
-    return !hole.empty() && perimeter(complex_, hole) <= limits_.perimeter;
+    return !hole.empty() && perimeter(complex_, hole, limits_) <= limits_.perimeter;
   }
 
   /** \brief Where the rim goes on from \a at, coming from \a from. */

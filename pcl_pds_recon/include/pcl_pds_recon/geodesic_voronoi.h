@@ -10,8 +10,9 @@
 namespace pds
 {
 
-/** \brief Longest edge of the mesh, in radii. Two disks that overlap give at most 2 disk_reach; where the points thin
- * out, cells touch across wider spaces. */
+/** \brief Longest edge of the mesh, in radii, or in those that the points would need where they are farther apart than
+ * the radius allows. Two disks that overlap give at most 2 disk_reach; where the points thin out, cells touch across
+ * wider spaces. */
 constexpr double longest_dual_edge = 3.9;
 
 /** \brief Evidence that the Voronoi cells of two seeds share a border. */
@@ -40,6 +41,7 @@ struct GeodesicVoronoi
   PointArray<std::uint8_t> witness;      ///< per point: 1 if it lies near a Voronoi edge
   std::vector<SeedPair> pairs;           ///< ascending by (a, b)
   std::vector<SeedTriple> triples;       ///< ascending by (a, b, c)
+  std::vector<float> sparsity;  ///< by seed: the radius that the points around it would need, in radii; 1 or more
 };
 
 /** \brief Finds cells, witness points, bordering pairs and meeting triples (paper, flowchart steps 6 and 7).

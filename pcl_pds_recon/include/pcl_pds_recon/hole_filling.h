@@ -15,12 +15,14 @@ namespace pds
  * wide. */
 constexpr double gap_chord = 6.0;
 
-/** \brief What a filling may do. Lengths are in radii. */
+/** \brief What a filling may do. Lengths are in radii, or where the points are farther apart than the radius allows, in
+ * those that they would need. */
 struct FillLimits
 {
-  double perimeter = 15.0;           ///< longest perimeter of a hole
-  double chord = longest_dual_edge;  ///< longest new edge
-  double smallest_angle = 0.7;       ///< least angle that two faces may enclose at an edge, radians
+  const std::vector<float>* sparsity = nullptr;  ///< by vertex, of GeodesicVoronoi; null: 1 everywhere
+  double perimeter = 15.0;                       ///< longest perimeter of a hole
+  double chord = longest_dual_edge;              ///< longest new edge
+  double smallest_angle = 0.7;                   ///< least angle that two faces may enclose at an edge, radians
   double area = std::numeric_limits<double>::infinity();  ///< most that a filling may have, squared radii
   double facing = -1.0;    ///< least cosine between a new face and what leads outside at its corners
   bool join_rims = false;  ///< across narrow gaps, as noisy scans have them
