@@ -275,7 +275,7 @@ GeodesicVoronoi build_geodesic_voronoi(const OrderedPoints& points,
   surveyors.clear();
 
   // Evidence for edges that no two overlapping disks could give leaps a gap in the points.
-  voronoi.sparsity = local_sparsity(points, graph, sampling, parallel);
+  voronoi.sparsity = local_sparsity(points, graph, sampling, voronoi.cell_begin, parallel);
   const auto limit = static_cast<float>(longest_dual_edge * sampling.radius);
   const auto near = [&](std::uint32_t s, std::uint32_t t) {
     const float longest = limit * std::max(voronoi.sparsity[s], voronoi.sparsity[t]);

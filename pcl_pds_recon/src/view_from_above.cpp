@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view_from_above.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -19,80 +21,76 @@ constexpr double least_lying = 0.85;  // share of seeds on surfaces that are les
 constexpr double least_open = 0.9;  // share of those that no other surface hides: airborne scans have 0.94, bodies 0.5
 constexpr double roughest = 0.1;    // mean curvature of a cell: what has more is no surface, but leaves
 
-/** \brief How a seed is seen from above. */
-enum class View : std::uint8_t
-{
-  rough,
-  steep,
-  hidden,
-  open
-};
-
 /** \brief Which seeds can be seen from where a coordinate grows. */
 class ViewFromAbove
 {
  public:
-  ViewFromAbove(const SeedGeometry& seeds, int axis, const Parallel& parallel) : seeds_(seeds), axis_(axis)
-  {
-    constexpr std::size_t block = 256;
-    std::vector<Vector3d> on_map = seeds.position;
-    for (Vector3d& p : on_map) p[axis] = 0;
-    std::vector<std::uint32_t> all(on_map.size());
-    std::iota(all.begin(), all.end(), 0U);
-    const SeedGrid map(on_map, all, aside);
-    view_.resize(on_map.size());
-    parallel.each(view_.size(), block, [&](std::size_t s) { view_[s] = view_of(s, on_map[s], map); });
-  }
+  ViewFromAbove(const SeedGeometry& seeds, int axis) : seeds_(seeds), axis_(axis) {}
 
-  [[nodiscard]] bool shows_the_cloud() const
+  /** \brief Looks from there.
+   * \return true if that is where the cloud was seen from */
+  bool look(const Parallel& parallel)
   {
     std::size_t surface = 0;
     std::size_t lying = 0;
-    std::size_t open = 0;
-    for (const View view : view_) {
-      surface += view == View::rough ? 0U : 1U;
-      lying += view == View::rough || view == View::steep ? 0U : 1U;
-      open += view == View::open ? 1U : 0U;
+    for (std::size_t s = 0; s < seeds_.position.size(); ++s) {
+      surface += is_rough(s) ? 0U : 1U;
+      lying += is_rough(s) || is_steep(s) ? 0U : 1U;
     }
-    return open > 0 && static_cast<double>(lying) >= least_lying * static_cast<double>(surface) &&
-           static_cast<double>(open) >= least_open * static_cast<double>(lying);
+    if (lying == 0 || static_cast<double>(lying) < least_lying * static_cast<double>(surface)) return false;
+    find_open(parallel);
+    const auto open = std::count(open_.begin(), open_.end(), std::uint8_t{1});
+    return static_cast<double>(open) >= least_open * static_cast<double>(lying);
   }
 
   [[nodiscard]] std::vector<Vector3d> outward() const
   {
-    std::vector<Vector3d> outward(view_.size(), Vector3d::Zero());
-    for (std::size_t s = 0; s < view_.size(); ++s)
-      if (view_[s] == View::open) outward[s] = upward_normal(s);
+    std::vector<Vector3d> outward(open_.size(), Vector3d::Zero());
+    for (std::size_t s = 0; s < open_.size(); ++s)
+      if (open_[s] != 0) outward[s] = upward_normal(s);
     return outward;
   }
 
  private:
-  static constexpr double aside = 1.0;  // radii: no point of a surface is farther from its seeds
-  static constexpr double higher =
-      0.3;  // radii off a cell's plane: an interval at the default factor, as of two sheets
+  static constexpr double aside = 1.0;   // radii: no point of a surface is farther from its seeds
+  static constexpr double higher = 0.3;  // radii off a cell's plane: two sheets may be an interval apart
 
   [[nodiscard]] Vector3d upward_normal(std::size_t seed) const
   {
     return seeds_.normal[seed][axis_] < 0 ? Vector3d(-seeds_.normal[seed]) : seeds_.normal[seed];
   }
 
-  [[nodiscard]] View view_of(std::size_t seed, const Vector3d& place, const SeedGrid& map) const
+  [[nodiscard]] bool is_rough(std::size_t seed) const { return seeds_.curvature[seed] > roughest; }
+  [[nodiscard]] bool is_steep(std::size_t seed) const { return std::abs(seeds_.normal[seed][axis_]) < least_rise; }
+
+  void find_open(const Parallel& parallel)
   {
-    if (seeds_.curvature[seed] > roughest) return View::rough;
-    if (std::abs(seeds_.normal[seed][axis_]) < least_rise) return View::steep;
-    const Vector3d up = upward_normal(seed);
-    View view = View::open;
-    map.visit_near(place, aside, [&](std::uint32_t other) {
-      if (seeds_.curvature[other] > roughest) return;
-      const Vector3d way = seeds_.position[other] - seeds_.position[seed];
-      if (way[axis_] > 0 && way.dot(up) > higher) view = View::hidden;
+    constexpr std::size_t block = 256;
+    std::vector<Vector3d> on_map = seeds_.position;
+    for (Vector3d& p : on_map) p[axis_] = 0;
+    std::vector<std::uint32_t> all(on_map.size());
+    std::iota(all.begin(), all.end(), 0U);
+    const SeedGrid map(on_map, all, aside);
+    open_.resize(on_map.size());
+    parallel.each(open_.size(), block, [&](std::size_t s) {
+      open_[s] = is_rough(s) || is_steep(s) || is_hidden(s, on_map[s], map) ? 0 : 1;
     });
-    return view;
+  }
+
+  [[nodiscard]] bool is_hidden(std::size_t seed, const Vector3d& place, const SeedGrid& map) const
+  {
+    const Vector3d up = upward_normal(seed);
+    bool hidden = false;
+    map.visit_near(place, aside, [&](std::uint32_t other) {
+      const Vector3d way = seeds_.position[other] - seeds_.position[seed];
+      hidden = hidden || (!is_rough(other) && way[axis_] > 0 && way.dot(up) > higher);
+    });
+    return hidden;
   }
 
   const SeedGeometry& seeds_;
   int axis_;
-  std::vector<View> view_;
+  std::vector<std::uint8_t> open_;  ///< by seed: 1 if it lies and nothing hides it
 };
 
 }  // namespace
@@ -100,7 +98,7 @@ class ViewFromAbove
 std::vector<Vector3d> outward_from_above(const SeedGeometry& seeds, const Parallel& parallel)
 {
   for (const int axis : {2, 1, 0})
-    if (const ViewFromAbove view(seeds, axis, parallel); view.shows_the_cloud()) return view.outward();
+    if (ViewFromAbove view(seeds, axis); view.look(parallel)) return view.outward();
   return {};
 }
 

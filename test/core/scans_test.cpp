@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <set>
 
 #include "core_testing.h"
 #include "crease_cover.h"
@@ -148,6 +149,16 @@ double share_upside_down(const pds::Reconstruction& mesh, const Points& points)
   return down / lying;
 }
 
+std::size_t edges_longer_than(double length, const pds::Reconstruction& mesh, const Points& points)
+{
+  const Points at = vertex_positions(mesh, points);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> longer;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t e = 0; e < 3; ++e)
+      if ((at[t[e]] - at[t[(e + 1) % 3]]).norm() > length) longer.insert(std::minmax(t[e], t[(e + 1) % 3]));
+  return longer.size();
+}
+
 /** \brief Of Autzen's stadium, an inner stand with 7 % of the faces and the press box with 4 % stand apart: the fronts
  * between them were not seen from above. */
 TEST_P(Terrain, IsOneSheetWithoutBridgesAndFacesUp)
@@ -155,7 +166,9 @@ TEST_P(Terrain, IsOneSheetWithoutBridgesAndFacesUp)
   SKIP_IF_ABSENT(GetParam());
   const Scan scan(GetParam());
   const Result uniform = run(scan, 0);
-  EXPECT_LE(uniform.facts.longest_edge, 4 * uniform.mesh.report.radius);
+  // On walls, which aircraft hardly see, points may be farther apart than the radius allows.
+  EXPECT_LE(edges_longer_than(4 * uniform.mesh.report.radius, uniform.mesh, scan.points), uniform.facts.edges / 10000);
+  EXPECT_LE(uniform.facts.longest_edge, 6 * uniform.mesh.report.radius);
   EXPECT_GE(uniform.largest_share(), 0.88);
   EXPECT_GE(uniform.facts.boundary_loops, 1U);
   EXPECT_LE(share_upside_down(uniform.mesh, scan.points), 0.02);
