@@ -30,7 +30,8 @@ namespace pcl
  * This is not pcl::Poisson, which solves Poisson's equation (Kazhdan et al. 2006) and invents its vertices.
  *
  * Triangles run counter-clockwise seen from outside. A closed surface is oriented outward; an open one along the
- * normals, if PointInT has them and some are set, else towards PointCloud::sensor_origin_, if that is not zero.
+ * normals, if PointInT has them and some are set, else towards PointCloud::sensor_origin_, if that is not zero, else up
+ * (z, or y, or x), if it looks as if seen from there, as land is from an aircraft.
  * Where the cloud is one-sided, as a Moebius strip, the surface is cut.
  *
  * Cost: O(n log n) time, about 250 bytes per point, on all cores. The mesh depends neither on the number of threads
