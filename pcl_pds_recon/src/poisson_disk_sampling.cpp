@@ -94,15 +94,18 @@ class DartThrower
   DartThrower(const OrderedPoints& points,
               const std::vector<std::uint8_t>& feature_rank,
               std::uint64_t seed,
+              double spread,
               const CellSchedule& schedule,
               GeodesicDisk& disk,
               PoissonDiskSampling& sampling)
       : points_(points),
         feature_rank_(feature_rank),
         seed_(seed),
+        spread_(spread),
         schedule_(schedule),
         disk_(disk),
         radius_(static_cast<float>(sampling.radius)),
+        exact_radius_(sampling.radius),
         nearest_(sampling.nearest)
   {
   }
@@ -172,11 +175,20 @@ class DartThrower
     return std::uint64_t{255U - feature_rank_[point]} << (64 - rank_bits) | lot;
   }
 
-  /** \brief A dart becomes a seed, unless its own disk shows that an earlier seed is within the radius after all. */
+  /** \brief Drawn anew by hashing, wherever it is asked for. */
+  [[nodiscard]] float own_radius(std::uint32_t point) const
+  {
+    if (spread_ == 0) return radius_;
+    constexpr std::uint64_t other_lots = 0x5851f42d4c957f2dULL;  // than those of the turns
+    const auto lot = static_cast<double>(hash_position(points_.position[point], seed_ ^ other_lots));
+    return static_cast<float>(exact_radius_ * (1 + spread_ * std::ldexp(lot, -64)));
+  }
+
+  /** \brief A dart becomes a seed, unless its own disk shows that an earlier seed is within its radius after all. */
   void throw_dart(std::uint32_t point)
   {
     const Disk& reached = grow(point);
-    GeodesicDisk::Reached nearest_seed{NearestSeeds::none, radius_};
+    GeodesicDisk::Reached nearest_seed{NearestSeeds::none, own_radius(point)};
     for (const GeodesicDisk::Reached& r : reached)
       if (r.distance <= nearest_seed.distance && nearest_[r.point].seed[0] == r.point &&
           (r.distance < nearest_seed.distance || r.point < nearest_seed.point))
@@ -190,9 +202,11 @@ class DartThrower
   const OrderedPoints& points_;
   const std::vector<std::uint8_t>& feature_rank_;
   std::uint64_t seed_;
+  double spread_;
   const CellSchedule& schedule_;
   GeodesicDisk& disk_;
   float radius_;
+  double exact_radius_;
   PointArray<NearestSeeds>& nearest_;
   DartQueue darts_;
   std::vector<RankRange> patch_;
@@ -236,7 +250,8 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                          GeodesicSolver solver,
                                          std::uint64_t seed,
                                          const Parallel& parallel,
-                                         const GivenSeeds& given)
+                                         const GivenSeeds& given,
+                                         const SteadyCount& steady)
 {
   PoissonDiskSampling sampling;
   sampling.radius = radius;
@@ -245,7 +260,8 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
   {
     // The working memory of the darts is gone before the seeds are numbered.
     constexpr double rounding_margin = 1.001;  // distances and block borders are rounded to single precision
-    const CellSchedule schedule(points, disk_reach * radius * rounding_margin, parallel);
+    const CellSchedule schedule(points, disk_reach * std::max(radius, steady.radius_of_cells) * rounding_margin,
+                                parallel);
     PatchMarks marks(points.size());
     std::vector<Worker> workers(parallel.threads());
     const auto each_cell = [&](const auto& action) {
@@ -255,7 +271,7 @@ PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
           auto& [disk, thrower] = workers[number];
           if (!thrower) {
             disk.emplace(points, graph, surface, weights, solver, marks);
-            thrower.emplace(points, feature_rank, seed, schedule, *disk, sampling);
+            thrower.emplace(points, feature_rank, seed, steady.spread, schedule, *disk, sampling);
           }
           action(*thrower, first + cell);
         });

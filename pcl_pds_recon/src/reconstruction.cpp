@@ -90,14 +90,17 @@ class Run
 
   /** \brief Steps 2 to 5: seeds and their disks, finest level first. The seeds of a level are among those of the finer
    * one, whose sampling begins with them. */
-  std::vector<PoissonDiskSampling> sample(double radius, std::size_t levels)
+  std::vector<PoissonDiskSampling> sample(double radius, std::size_t levels, const SteadyCount& steady)
   {
     clock_.start("sampling", 0.5, report_.seconds.sampling);
     std::vector<PoissonDiskSampling> nested(levels);
     if (radius <= 0) return nested;
     std::vector<std::uint32_t> coarser;
     for (std::size_t level = levels; level-- > 0;) {
-      nested[level] = sample(std::ldexp(radius, static_cast<int>(level)), {coarser});
+      const auto at_level = [level](double finest) {
+        return std::min(std::ldexp(finest, static_cast<int>(level)), largest_radius);
+      };
+      nested[level] = sample(at_level(radius), {coarser}, {steady.spread, at_level(steady.radius_of_cells)});
       coarser = nested[level].seeds;
     }
     return nested;
@@ -223,11 +226,10 @@ class Run
   void repeat_stages() { repeats_ = true; }
 
  private:
-  PoissonDiskSampling sample(double radius, const GivenSeeds& given) const
+  PoissonDiskSampling sample(double radius, const GivenSeeds& given, const SteadyCount& steady = {}) const
   {
-    return sample_poisson_disks(found_.points, found_.graph, found_.surface, metric_.weights, features_,
-                                std::min(radius, largest_radius), options_.geodesic_solver, options_.seed, parallel_,
-                                given);
+    return sample_poisson_disks(found_.points, found_.graph, found_.surface, metric_.weights, features_, radius,
+                                options_.geodesic_solver, options_.seed, parallel_, given, steady);
   }
 
   std::optional<PageReuse> pages_{std::in_place};
@@ -282,8 +284,8 @@ std::vector<Reconstruction> reconstruct_levels(const PointCloudView& cloud,
   std::vector<PoissonDiskSampling> samplings;
   Dual dual;
   for (bool found = false; !found;) {
-    do samplings = run.sample(search.radius(), levels);
-    while (!search.sampled(samplings[0].seeds.size()));
+    do samplings = run.sample(search.radius(), levels, search.steady());
+    while (!search.sampled(samplings[0]));
     dual = run.build_dual(samplings[0], {});
     run.relax(samplings[0], dual);
     run.fit(samplings[0], dual);

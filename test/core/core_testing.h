@@ -126,11 +126,12 @@ struct Stages
   [[nodiscard]] pds::PoissonDiskSampling sample(double factor,
                                                 const pds::EdgeWeights& weights,
                                                 std::uint64_t seed,
-                                                unsigned threads) const
+                                                unsigned threads,
+                                                const pds::SteadyCount& steady = {}) const
   {
     return pds::sample_poisson_disks(points, graph, surface, weights, std::vector<std::uint8_t>(points.size()),
                                      factor * graph.sampling_interval, pds::GeodesicSolver::fast_marching, seed,
-                                     pds::Parallel(threads));
+                                     pds::Parallel(threads), {}, steady);
   }
 
   pds::Parallel parallel{2};

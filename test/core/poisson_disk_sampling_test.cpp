@@ -110,6 +110,38 @@ TEST_P(SamplingTest, GivesAnotherSetForAnotherSeed)
   expect_poisson_disks(other);
 }
 
+/** \brief Radii of the points' own, between that which seeds keep and a greater one: their number is in between, too.
+ */
+TEST_P(SamplingTest, DrawnRadiiAreWithinTheirSpread)
+{
+  constexpr double spread = 0.2;
+  const auto sample = [this](double factor, const pds::SteadyCount& steady, unsigned threads = 2) {
+    return stages_.sample(factor, weights_, 0, threads, steady);
+  };
+  const PoissonDiskSampling drawn = sample(3.0, {spread, 0});
+  const PoissonDiskSampling greatest = sample(3.0 * (1 + spread), {});
+  EXPECT_LT(drawn.seeds.size(), 0.95 * static_cast<double>(sampling_.seeds.size()));
+  EXPECT_GT(drawn.seeds.size(), 1.05 * static_cast<double>(greatest.seeds.size()));
+  const auto from = grow_all(drawn);
+  for (const std::uint32_t point : drawn.seeds)
+    if (from[point].size() > 1) {
+      EXPECT_GT(static_cast<double>(from[point][1].distance), drawn.radius * (1 - rounding));
+    }
+  for (const NearestSeeds& nearest : drawn.nearest)
+    EXPECT_LE(static_cast<double>(nearest.distance[0]), (1 + spread) * drawn.radius * (1 + rounding));
+  for (const unsigned threads : {1U, 8U}) EXPECT_EQ(sample(3.0, {spread, 0}, threads).seeds, drawn.seeds);
+}
+
+TEST_P(SamplingTest, CellsOfAGreaterRadiusWillDo)
+{
+  const pds::SteadyCount steady{0, 1.5 * sampling_.radius};
+  const PoissonDiskSampling other = stages_.sample(3.0, weights_, 0, 2, steady);
+  EXPECT_NE(other.seeds, sampling_.seeds);
+  expect_poisson_disks(other);
+  for (const unsigned threads : {1U, 8U})
+    EXPECT_EQ(stages_.sample(3.0, weights_, 0, threads, steady).seeds, other.seeds);
+}
+
 TEST_P(SamplingTest, NamesNoSeedTwiceForAPoint)
 {
   std::size_t twice = 0;

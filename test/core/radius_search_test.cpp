@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "core_testing.h"
+#include "lattices.h"
 
 /** \brief Meshes of a wanted number of vertices or distance, levels of detail, and even triangles. */
 namespace pds_test
@@ -25,6 +26,60 @@ TEST(VertexCount, IsHitWithinHalfAPercentOrTwo)
                 std::max(2.0, 0.005 * static_cast<double>(wanted)))
           << wanted << " vertices, adaptive " << adaptive;
     }
+}
+
+/** \brief The most vertices that are not refused, as the refusal says. */
+std::uint64_t most_vertices(const Points& points)
+{
+  pds::Options options;
+  options.vertices = points.size();
+  try {
+    static_cast<void>(reconstruct(points, options));
+  } catch (const pds::InvalidInput& error) {
+    const std::string message = error.what();
+    return std::stoull(message.substr(message.find("ask for ") + 8));
+  }
+  return 0;
+}
+
+TEST(VertexCount, IsHitOnLattices)
+{
+  const Points lattices[] = {flat_grid(150, 130),         turned(flat_grid(150, 130)), hexagonal_grid(130, 130),
+                             cube_of_grids(50),           turned(cube_of_grids(45)),   voxel_sphere(35),
+                             hills_on_grid(130, 1.0 / 3), hills_on_grid(130, 1e-6)};
+  for (const Points& lattice : lattices) {
+    const std::uint64_t most = most_vertices(lattice);
+    EXPECT_GT(most, 1000U);
+    for (const std::uint64_t wanted : {std::uint64_t{12}, std::uint64_t{100}, std::uint64_t{333}, most / 2, most}) {
+      SCOPED_TRACE(testing::Message() << "lattice " << &lattice - lattices << ", " << wanted << " vertices");
+      pds::Options options;
+      options.vertices = wanted;
+      const pds::Reconstruction mesh = reconstruct(lattice, options);
+      expect_sound(mesh, lattice);
+      EXPECT_EQ(mesh.report.components, 1U);
+      EXPECT_LE(std::abs(static_cast<double>(mesh.report.vertices) - static_cast<double>(wanted)),
+                std::max(2.0, 0.005 * static_cast<double>(wanted)))
+          << mesh.report.vertices;
+    }
+  }
+}
+
+TEST(VertexCount, OnALatticeDependsOnNeitherThreadsNorInputOrder)
+{
+  const Points lattice = turned(cube_of_grids(45));
+  pds::Options options;
+  options.vertices = 700;
+  options.threads = 1;
+  const pds::Reconstruction reference = reconstruct(lattice, options);
+  std::vector<std::uint32_t> order(lattice.size());
+  std::iota(order.begin(), order.end(), 0U);
+  Random(5).shuffle(order);
+  Points shuffled;
+  for (const std::uint32_t i : order) shuffled.push_back(lattice[i]);
+  options.threads = 3;
+  const pds::Reconstruction other = reconstruct(shuffled, options);
+  EXPECT_EQ(vertex_positions(other, shuffled), vertex_positions(reference, lattice));
+  EXPECT_EQ(other.triangles, reference.triangles);
 }
 
 TEST(VertexCount, BeyondWhatThePointsCarryIsRefused)

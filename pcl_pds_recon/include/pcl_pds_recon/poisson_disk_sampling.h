@@ -80,6 +80,15 @@ struct GivenSeeds
   double coverage = 1.0;             ///< darts are thrown at points farther from all seeds; in radii, up to disk_reach
 };
 
+/** \brief What makes the number of seeds change with the radius bit by bit, as a search for it needs. */
+struct SteadyCount
+{
+  /** Each point draws a radius of its own, which is greater by up to this share, and is a dart while no seed is within
+   * it: of those that are equally far from seeds some become seeds. Less than disk_reach - 1. */
+  double spread = 0;
+  double radius_of_cells = 0;  ///< the cells stay those of this radius, if it is the greater one
+};
+
 /** \brief Dart throwing over geodesic disks (paper, flowchart steps 2 to 5).
  *
  * The distance of two points is the smaller of those measured from either. Space is cut into cells of four times the
@@ -93,6 +102,7 @@ struct GivenSeeds
  * \param radius in units of position
  * \param seed picks the order
  * \param given seeds before the first dart
+ * \param steady by default all points have the same radius, and cells fit it
  */
 [[nodiscard]] PoissonDiskSampling sample_poisson_disks(const OrderedPoints& points,
                                                        const NeighborGraph& graph,
@@ -103,6 +113,7 @@ struct GivenSeeds
                                                        GeodesicSolver solver,
                                                        std::uint64_t seed,
                                                        const Parallel& parallel,
-                                                       const GivenSeeds& given = {});
+                                                       const GivenSeeds& given = {},
+                                                       const SteadyCount& steady = {});
 
 }  // namespace pds
