@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include "face_kernel.h"
 #include "face_plane.h"
 
 namespace pds
@@ -21,9 +22,13 @@ struct Share
 {
   double weight[6] = {};  ///< upper triangle of the sum of l l^T, row by row
   double pull[3] = {};
+  double square = 0;
+  std::size_t points = 0;
 
   void add(const double* l, double height)
   {
+    square += height * height;
+    ++points;
     double* w = weight;
     for (int i = 0; i < 3; ++i) {
       pull[i] += l[i] * height;
@@ -33,6 +38,8 @@ struct Share
 
   void add_to(FaceQuadric& quadric) const
   {
+    quadric.square += square;
+    quadric.points += points;
     const double* w = weight;
     for (int i = 0; i < 3; ++i) {
       quadric.pull[i] += pull[i];
@@ -45,66 +52,49 @@ struct Share
   }
 };
 
-/** \brief A face as seen from one of its corners. */
-struct Sector
-{
-  FacePlane plane;
-  std::uint32_t face;
-  std::size_t corner;
-};
-
-/** \brief Collects what the cells contribute to the faces at their seeds. Holds the working memory of one thread. */
+/** \brief Collects what the cells contribute to the faces at their seeds. */
 class CellShares
 {
  public:
-  CellShares(const std::vector<Vector3d>& position,
+  CellShares(const std::vector<FacePlane>& plane,
              const std::vector<Triangle>& triangles,
              const MeshFans& fans,
              std::vector<std::array<Share, 3>>& shares)
-      : position_(position), triangles_(triangles), fans_(fans), shares_(shares)
+      : plane_(plane), triangles_(triangles), fans_(fans), shares_(shares)
   {
   }
 
-  /** \brief Looks at the faces at a seed. \return false if there are none to be fitted */
-  bool enter(std::uint32_t seed)
+  /** \brief Adds some points of a seed's cell to the faces there that they are nearest to. None that are found at a
+   * face without area count, so a vertex of such a face may stay where it is.
+   * \param count of points that are set */
+  void add(std::uint32_t seed, FacedPoints& points, std::size_t count)
   {
-    sectors_.clear();
-    for (const std::uint32_t* face = fans_.begin(seed); face != fans_.end(seed); ++face) {
-      const Triangle& t = triangles_[*face];
-      const std::size_t corner = MeshFans::corner_of(t, seed);
-      const FacePlane plane(position_[seed], position_[t[(corner + 1) % 3]], position_[t[(corner + 2) % 3]]);
-      if (plane.valid()) sectors_.push_back({plane, *face, corner});
+    constexpr double no_limit = std::numeric_limits<double>::infinity();
+    find_nearest_faces(instruction_set_, fans_.begin(seed), fans_.end(seed), plane_, no_limit, points);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const std::uint32_t* nearest = fans_.begin(seed) + points.nearest[lane];
+      if (nearest != fans_.end(seed) && plane_[*nearest].valid())
+        add(seed, *nearest, {points.x[lane], points.y[lane], points.z[lane]});
     }
-    return !sectors_.empty();
   }
 
-  /** \brief Adds a point to the face that it is nearest to. */
-  void add(const Vector3d& point)
+ private:
+  void add(std::uint32_t seed, std::uint32_t face, const Vector3d& point)
   {
-    const Sector* nearest = &sectors_.front();
-    double least = std::numeric_limits<double>::infinity();
-    for (const Sector& sector : sectors_) {
-      const double distance2 = sector.plane.distance2(point);
-      if (distance2 >= least) continue;
-      least = distance2;
-      nearest = &sector;
-    }
-    const FacePlane::View view = nearest->plane.view(point);
+    const FacePlane::View view = plane_[face].view(point);
     double l[] = {view.first, view.second, view.third};
     if (std::min(l[0], std::min(l[1], l[2])) < -outermost) return;
     for (double& coordinate : l) coordinate = std::max(coordinate, 0.0);
     const double sum = l[0] + l[1] + l[2];
-    double by_corner[3];
-    for (std::size_t i = 0; i < 3; ++i) by_corner[(nearest->corner + i) % 3] = l[i] / sum;
-    shares_[nearest->face][nearest->corner].add(by_corner, view.height);
+    for (double& coordinate : l) coordinate /= sum;
+    shares_[face][MeshFans::corner_of(triangles_[face], seed)].add(l, view.height);
   }
 
- private:
-  const std::vector<Vector3d>& position_;
+  const std::vector<FacePlane>& plane_;
   const std::vector<Triangle>& triangles_;
   const MeshFans& fans_;
   std::vector<std::array<Share, 3>>& shares_;  ///< by face and corner: of the cell of the seed there
-  std::vector<Sector> sectors_;
+  InstructionSet instruction_set_ = best_instruction_set();
 };
 
 }  // namespace
@@ -120,19 +110,30 @@ std::vector<FaceQuadric> measure_face_quadrics(const std::vector<Vector3d>& posi
 {
   constexpr std::size_t seeds_per_block = 128;
   constexpr std::size_t faces_per_block = 1024;
+  std::vector<FacePlane> plane(triangles.size());
+  parallel.each(triangles.size(), faces_per_block, [&](std::size_t f) {
+    const Triangle& t = triangles[f];
+    plane[f] = FacePlane(position[t[0]], position[t[1]], position[t[2]]);
+  });
   std::vector<std::array<Share, 3>> shares(triangles.size());
   parallel.blocks(position.size(), seeds_per_block, [&](std::size_t begin, std::size_t end, unsigned) {
-    CellShares cell(position, triangles, fans, shares);
-    for (std::size_t s = begin; s < end; ++s) {
-      if (!cell.enter(static_cast<std::uint32_t>(s))) continue;
-      for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1]; i += stride)
-        cell.add(points[voronoi.cell_point[i]].cast<double>() / sampling.radius);
-    }
+    CellShares cell(plane, triangles, fans, shares);
+    FacedPoints faced{};
+    for (std::size_t s = begin; s < end; ++s)
+      for (std::size_t i = voronoi.cell_begin[s]; i < voronoi.cell_begin[s + 1];) {
+        std::size_t count = 0;
+        for (; count < face_lanes && i < voronoi.cell_begin[s + 1]; ++count, i += stride) {
+          const Vector3d point = points[voronoi.cell_point[i]].cast<double>() / sampling.radius;
+          faced.x[count] = point.x();
+          faced.y[count] = point.y();
+          faced.z[count] = point.z();
+        }
+        cell.add(static_cast<std::uint32_t>(s), faced, count);
+      }
   });
   std::vector<FaceQuadric> quadrics(triangles.size());
   parallel.each(triangles.size(), faces_per_block, [&](std::size_t f) {
-    const Triangle& t = triangles[f];
-    quadrics[f].normal = (position[t[1]] - position[t[0]]).cross(position[t[2]] - position[t[0]]).normalized();
+    quadrics[f].normal = plane[f].normal();
     for (const Share& share : shares[f]) share.add_to(quadrics[f]);
   });
   return quadrics;

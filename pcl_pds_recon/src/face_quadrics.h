@@ -16,12 +16,14 @@ namespace pds
 /** \brief Sum of squared distances of points from a face, as a function of how far its corners move along its normal.
  *
  * A point with barycentric coordinates l and height h above the face is h - l.u above it once the corners have moved by
- * u: the sum is u.weight.u - 2 pull.u and a constant. */
+ * u: the sum is u.weight.u - 2 pull.u + square. */
 struct FaceQuadric
 {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit
   Eigen::Matrix3d weight = Eigen::Matrix3d::Zero();  ///< sum of l l^T
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();    ///< sum of h l
+  double square = 0;                                 ///< sum of h^2
+  std::size_t points = 0;
 };
 
 /** \brief The quadric of every face, of the points that are nearest to it. A point is looked for among the faces at its

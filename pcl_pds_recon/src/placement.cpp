@@ -18,16 +18,25 @@ using Eigen::Vector3d;
 constexpr std::size_t block = 512;  // vertices or faces per block
 
 // Faces turn as their corners move, and points come to lie on others: the quadrics are measured anew, first from a
-// share of the points, because a later pass corrects what they get wrong.
-constexpr std::size_t strides[] = {4, 2, 1};
+// share of the points, because a later pass corrects what they get wrong. A vertex takes several passes to slide into a
+// crease. Noise is fitted in them as well, so that more of them do harm there.
+const std::vector<std::size_t> clean_strides = {4, 2, 1, 1, 1, 1, 1};
+const std::vector<std::size_t> noisy_strides = {4, 2, 1};
 
 // Damped Jacobi iterations of a pass. The system is like the mass matrix of linear elements, whose eigenvalues relative
 // to its diagonal are 1/2 to 2: each iteration leaves 0.6 of the error, eight leave less than 2 %.
 constexpr int iterations = 8;
 constexpr double damping = 0.8;
 
-constexpr double least_eigenvalue = 0.01;  // of the largest: faces that differ by less than 6 degrees show no direction
-constexpr double ridge = 0.02;             // likewise: holds back what noise makes of directions that are hardly shown
+// How far vertices are likely to move, in radii. A move of u is worth what the fit gains by it over the variance of the
+// points about the faces, less u^2 over twice the square of this: where that variance is small, as on the flanks of a
+// crease, a vertex goes where they meet, however little they differ.
+constexpr double likely_move = 0.1;
+constexpr double least_hold = 1e-4;  // of the quadric's trace: on a plane nothing but rounding says where to go
+
+// Noise turns the faces, and a vertex would go wherever they happen to meet.
+constexpr double noisy_least_eigenvalue = 0.01;  // of the largest: directions that faces within 6 degrees show
+constexpr double noisy_hold = 0.02;              // likewise: holds back what noise makes of others
 
 constexpr double largest_turn_cosine = 0.5;  // of 60 degrees: how far a face may turn
 constexpr double fold_cosine = -0.76;  // of the normals of two faces that enclose 40 degrees, as hole filling allows
@@ -41,8 +50,14 @@ class QuadricSystem
                 const std::vector<Triangle>& triangles,
                 const MeshFans& fans,
                 std::size_t vertex_count,
+                bool noisy,
                 const Parallel& parallel)
-      : quadrics_(quadrics), triangles_(triangles), fans_(fans), vertex_count_(vertex_count), parallel_(parallel)
+      : quadrics_(quadrics),
+        triangles_(triangles),
+        fans_(fans),
+        vertex_count_(vertex_count),
+        noisy_(noisy),
+        parallel_(parallel)
   {
   }
 
@@ -50,7 +65,7 @@ class QuadricSystem
   {
     std::vector<Matrix3d> inverse(vertex_count_);
     std::vector<double> hold(vertex_count_);
-    parallel_.each(vertex_count_, block, [&](std::size_t v) { inverse[v] = truncated_inverse(v, hold[v]); });
+    parallel_.each(vertex_count_, block, [&](std::size_t v) { inverse[v] = held_inverse(v, hold[v]); });
     std::vector<Vector3d> move(vertex_count_, Vector3d::Zero());
     std::vector<Vector3d> next(vertex_count_);
     for (int i = 0; i < iterations; ++i) {
@@ -63,24 +78,57 @@ class QuadricSystem
   }
 
  private:
-  /** \brief Inverse of the vertex's own quadric in the directions that its faces show.
-   * \param hold weight of the squared length of the move */
-  Matrix3d truncated_inverse(std::size_t vertex, double& hold) const
+  /** \brief The quadrics of a vertex's faces, as a function of its own move u: u.weight.u - 2 pull.u + square. */
+  struct VertexQuadric
   {
-    Matrix3d quadric = Matrix3d::Zero();
+    Matrix3d weight = Matrix3d::Zero();
+    Vector3d pull = Vector3d::Zero();
+    double square = 0;
+    std::size_t points = 0;
+  };
+
+  [[nodiscard]] VertexQuadric quadric_of(std::size_t vertex) const
+  {
+    VertexQuadric sum;
     for (const std::uint32_t* f = fans_.begin(vertex); f != fans_.end(vertex); ++f) {
+      const FaceQuadric& quadric = quadrics_[*f];
       const auto corner = static_cast<Eigen::Index>(corner_of(*f, vertex));
-      quadric += quadrics_[*f].weight(corner, corner) * quadrics_[*f].normal * quadrics_[*f].normal.transpose();
+      sum.weight += quadric.weight(corner, corner) * quadric.normal * quadric.normal.transpose();
+      sum.pull += quadric.pull[corner] * quadric.normal;
+      sum.square += quadric.square;
+      sum.points += quadric.points;
     }
+    return sum;
+  }
+
+  /** \brief Inverse of the vertex's own quadric and of what holds it where it is.
+   * \param hold weight of the squared length of the move */
+  Matrix3d held_inverse(std::size_t vertex, double& hold) const
+  {
+    const VertexQuadric quadric = quadric_of(vertex);
+    hold = 0;
+    if (!(quadric.weight.trace() > 0)) return Matrix3d::Zero();
+    if (noisy_) return truncated_inverse(quadric.weight, hold);
+    const auto inverse = [&]() -> Matrix3d { return (quadric.weight + hold * Matrix3d::Identity()).inverse(); };
+    hold = least_hold * quadric.weight.trace();
+    const double rest = std::max(0.0, quadric.square - quadric.pull.dot(inverse() * quadric.pull));
+    hold += rest / static_cast<double>(quadric.points) / (likely_move * likely_move);
+    return inverse();
+  }
+
+  /** \brief The same in noise: only in the directions that the faces show clearly. */
+  static Matrix3d truncated_inverse(const Matrix3d& weight, double& hold)
+  {
     Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-    solver.computeDirect(quadric);
+    solver.computeDirect(weight);
     const double largest = solver.eigenvalues()[2];
-    hold = ridge * largest;
+    hold = noisy_hold * largest;
     Matrix3d inverse = Matrix3d::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {
       const double eigenvalue = solver.eigenvalues()[i];
       const Vector3d direction = solver.eigenvectors().col(i);
-      if (eigenvalue > least_eigenvalue * largest) inverse += direction * direction.transpose() / (eigenvalue + hold);
+      if (eigenvalue > noisy_least_eigenvalue * largest)
+        inverse += direction * direction.transpose() / (eigenvalue + hold);
     }
     return inverse;
   }
@@ -109,6 +157,7 @@ class QuadricSystem
   const std::vector<Triangle>& triangles_;
   const MeshFans& fans_;
   std::size_t vertex_count_;
+  bool noisy_;
   const Parallel& parallel_;
 };
 
@@ -195,15 +244,17 @@ std::vector<Vector3d> place_vertices(const SeedGeometry& seeds,
                                      const PointArray<Eigen::Vector3f>& points,
                                      const PoissonDiskSampling& sampling,
                                      const GeodesicVoronoi& voronoi,
+                                     bool noisy,
                                      const Parallel& parallel)
 {
   std::vector<Vector3d> position = seeds.position;
   const MeshFans fans(triangles, position.size(), parallel);
   const MoveGuard guard(seeds.position, triangles, fans, parallel);
-  for (const std::size_t stride : strides) {
+  for (const std::size_t stride : noisy ? noisy_strides : clean_strides) {
     const std::vector<FaceQuadric> quadrics =
         measure_face_quadrics(position, triangles, fans, points, sampling, voronoi, stride, parallel);
-    const std::vector<Vector3d> move = QuadricSystem(quadrics, triangles, fans, position.size(), parallel).solve();
+    const std::vector<Vector3d> move =
+        QuadricSystem(quadrics, triangles, fans, position.size(), noisy, parallel).solve();
     parallel.each(position.size(), block, [&](std::size_t v) { position[v] += move[v]; });
     guard.keep_in_cells(position);
   }

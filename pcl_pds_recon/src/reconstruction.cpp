@@ -173,8 +173,8 @@ class Run
     if (options_.relax == 0)  // which is asked for even triangles
       flip_edges(dual.seeds, found_.points.position, sampling, dual.voronoi, parallel_, dual.triangles);
     if (options_.placement == Placement::quadric)
-      dual.placed =
-          place_vertices(dual.seeds, dual.triangles, found_.points.position, sampling, dual.voronoi, parallel_);
+      dual.placed = place_vertices(dual.seeds, dual.triangles, found_.points.position, sampling, dual.voronoi,
+                                   found_.points.smoothed, parallel_);
   }
 
   /** \brief Distance that 99 % of the points keep to the mesh. */

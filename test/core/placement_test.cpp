@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
 #include <numeric>
 
 #include "core_testing.h"
@@ -73,6 +74,24 @@ TEST(Placement, HalvesTheErrorOfSmoothAndSharpShapes)
   const pds::Reconstruction box = reconstruct(sharp, quadric_options());
   EXPECT_LT(mean_distance(box, box.moved.position, distance_from_cube),
             0.5 * mean_distance(box, vertex_positions(box, sharp), distance_from_cube));
+}
+
+/** \brief The gentler a crease, the less the faces beside it show of the way into it; but all points agree on it. */
+TEST(Placement, SlidesIntoGentleCreases)
+{
+  constexpr double slope = 0.09;  // on either side: the surface turns by 10 degrees
+  Random random(11);
+  Points roof;
+  for (std::size_t i = 0; i < cloud_size; ++i) {
+    const double x = random.uniform(-1, 1);
+    roof.emplace_back(x, random.uniform(-1, 1), -slope * std::abs(x));
+  }
+  const auto distance = [&](const Eigen::Vector3d& p) { return p.z() + slope * std::abs(p.x()); };
+  const pds::Reconstruction mesh = reconstruct(roof, quadric_options());
+  const double on_points = mean_distance(mesh, vertex_positions(mesh, roof), distance);
+  const double placed = mean_distance(mesh, mesh.moved.position, distance);
+  std::cout << placed / on_points << " of the distance is left\n";
+  EXPECT_LT(placed, 0.35 * on_points);
 }
 
 TEST(Placement, IsInTheMiddleOfNoise)

@@ -23,6 +23,7 @@ namespace pds
  *
  * \param points positions by rank, in units of position
  * \param triangles oriented and manifold; vertices are seeds
+ * \param noisy whether the cloud was found to be so: then vertices follow only what faces show clearly
  * \return a position for every seed, in radii; seeds without a face stay where they are
  */
 [[nodiscard]] std::vector<Eigen::Vector3d> place_vertices(const SeedGeometry& seeds,
@@ -30,6 +31,7 @@ namespace pds
                                                           const PointArray<Eigen::Vector3f>& points,
                                                           const PoissonDiskSampling& sampling,
                                                           const GeodesicVoronoi& voronoi,
+                                                          bool noisy,
                                                           const Parallel& parallel);
 
 }  // namespace pds
