@@ -33,6 +33,7 @@ class Case:
     thinning: float = 0
     samples: int = 0  # random points of the mesh; 0: the cloud's own points
     peers: bool = False  # also with other tools, at as many vertices
+    collapsed: int = 0  # no reconstruction: MeshLab's collapse of the reference mesh itself, to so many vertices
 
 
 def nefertiti(key, *options, **wishes):
@@ -52,7 +53,6 @@ def dragon(key, *options):
 
 
 QUADRIC = ("--placement", "quadric")
-COLLAPSE = "dragon_15k_meshlab_collapse"  # of the reference mesh itself: no reconstruction
 PEERS = ("voxel_gp3", "advancing_front", "open3d_bpa", "meshlab_bpa")
 CASES = [
     Case("dragon_raw", "dragon_stand_rawscans.ply", "dragon_vrip.ply", peers=True),
@@ -62,9 +62,10 @@ CASES = [
     dragon("dragon_15k"),
     dragon("dragon_15k_quadric", *QUADRIC),
     dragon("dragon_15k_adaptive_quadric", "-a", "0.3", *QUADRIC),
-    dragon(COLLAPSE),
+    Case("dragon_15k_meshlab_collapse", "dragon_vrip.ply", "dragon_vrip.ply", collapsed=15_000),
     fandisk("fandisk"),
     fandisk("fandisk_quadric", *QUADRIC),
+    Case("fandisk_meshlab_collapse", "fandisk_large.ply", "fandisk_large.ply", collapsed=9_445),
     nefertiti("clean"),
     nefertiti("noise_0.1%", noise=0.001),
     nefertiti("noise_0.1%_quadric", *QUADRIC, noise=0.001),
@@ -87,7 +88,8 @@ def row(key, judged, case, report=None):
     cells = [key, certificate["vertices"], defects(certificate), certificate["components"],
              f"{judged['largest']:.2%}", certificate["boundary_loops"], certificate["genus"],
              ("yes" if whole else "no") if case.samples else "",
-             f"{there['mean'] * 1e5:.1f} / {back['mean'] * 1e5:.1f}", f"{there['p95'] * 1e5:.1f}", noise,
+             f"{there['mean'] * 1e5:.1f} / {back['mean'] * 1e5:.1f}", f"{there['p95'] * 1e5:.1f}",
+             f"{judged['normal_deviation']:.2f}", noise,
              *((report["outliers"], f"{report['seconds']['total']:.2f}") if report else ("", ""))]
     return "| " + " | ".join("" if cell is None else str(cell) for cell in cells) + " |"
 
@@ -131,9 +133,9 @@ def reconstruct_and_compare(given, case, cloud, work):
 
 def rows(given, case, work):
     mesh_file = given.scans / case.cloud
-    if case.key == COLLAPSE:
+    if case.collapsed:
         mesh = work / f"{case.key}.ply"
-        collapse_edges(mesh_file, 2 * int(case.options[1]), mesh)
+        collapse_edges(mesh_file, 2 * case.collapsed, mesh)
         yield row(case.key, compare(given.build, mesh, given.scans / case.reference), case)
         return
     if not case.samples:
@@ -164,7 +166,7 @@ def main():
         work = given.meshes or Path(scratch)
         work.mkdir(parents=True, exist_ok=True)
         print("| case | vertices | defects | components | largest | loops | genus | closed, genus 0 "
-              "| mean to / from reference | p95 | of noise | outliers | seconds |\n| --- " + "| --- " * 12 + "|")
+              "| mean to / from reference | p95 | normals | of noise | outliers | seconds |\n| --- " + "| --- " * 13 + "|")
         for case in chosen:
             if are_there(case.key, (given.scans / case.cloud, given.scans / case.reference)):
                 for line in rows(given, case, work):
