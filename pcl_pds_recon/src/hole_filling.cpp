@@ -22,6 +22,10 @@ constexpr std::size_t most_corners = 48;  // bounds the cubic cost; a perimeter 
 constexpr int rounds = 2;                 // of cleaning and filling
 constexpr double widening = 1.5;          // how much longer a hole may get by mending
 
+// A part may be thinner than the radius. There the surface tears, for edges are sharper than faces may be elsewhere.
+constexpr double torn_share = 0.4;   // of the cells along a tear border on others along it; along true rims below 0.15
+constexpr double thin_angle = 0.53;  // radians that faces may enclose there: 30 degrees, those on a plate R / 2 thick
+
 // Noisy scans tear and leave gaps, whose frayed rims are longer than those of a cut hole of their size.
 constexpr double gap_perimeter = 1.5;      // of a circle as large as the gap, in limits of the perimeter ...
 constexpr double gap_share = 1.0 / 500.0;  // ... and this share of its component's area: beyond it may be an opening
@@ -111,7 +115,24 @@ bool refill_without(TriangleComplex& complex,
   return false;
 }
 
-/** \brief A hole that has no filling often has one without one of the faces, or one of the vertices, at its rim. */
+/** \brief The faces that have all corners on the loop, ascending: fins, which stand in the way of a filling. */
+std::vector<std::uint32_t> fins_at(const TriangleComplex& complex, const Polygon& loop)
+{
+  std::vector<std::uint32_t> fins;
+  for (const std::uint32_t v : loop)
+    for (const std::uint32_t f : complex.faces_at(v)) {
+      const Triangle t = complex.oriented(f);
+      if (std::all_of(t.begin(), t.end(),
+                      [&](std::uint32_t w) { return std::find(loop.begin(), loop.end(), w) != loop.end(); }))
+        fins.push_back(f);
+    }
+  std::sort(fins.begin(), fins.end());
+  fins.erase(std::unique(fins.begin(), fins.end()), fins.end());
+  return fins;
+}
+
+/** \brief A hole that has no filling often has one without one of the faces, or one of the vertices, at its rim, or
+ * without all fins there. */
 bool mend_hole(TriangleComplex& complex, const BorderingCells& bordering, const Polygon& loop, const FillLimits& limits)
 {
   FillLimits wider = limits;
@@ -129,7 +150,7 @@ bool mend_hole(TriangleComplex& complex, const BorderingCells& bordering, const 
     std::sort(around.begin(), around.end());
     if (refill_without(complex, bordering, loop, around, wider)) return true;
   }
-  return false;
+  return refill_without(complex, bordering, loop, fins_at(complex, loop), wider);
 }
 
 std::size_t mend_holes(TriangleComplex& complex, const BorderingCells& bordering, const FillLimits& limits)
@@ -142,6 +163,45 @@ std::size_t mend_holes(TriangleComplex& complex, const BorderingCells& bordering
     if (mend_hole(complex, bordering, loop, limits)) ++mended;
   }
   return mended;
+}
+
+/** \brief True if the surface goes on beyond the loop: many cells along it border on others along it, and no edge shows
+ * that. At a true rim the points end, and cells border only on those that edges lead to. */
+bool is_tear(const TriangleComplex& complex, const BorderingCells& bordering, const Polygon& loop)
+{
+  if (loop.size() > most_corners) return false;
+  const auto is_torn_off = [&](std::uint32_t v) {
+    return std::any_of(loop.begin(), loop.end(),
+                       [&](std::uint32_t w) { return w != v && bordering(v, w) && !complex.has_edge(v, w); });
+  };
+  return static_cast<double>(std::count_if(loop.begin(), loop.end(), is_torn_off)) >
+         torn_share * static_cast<double>(loop.size());
+}
+
+/** \brief A rim with fins that fold onto each other has a filling once it is cut back by one row of faces. */
+bool fill_frayed(TriangleComplex& complex,
+                 const BorderingCells& bordering,
+                 const Polygon& loop,
+                 const FillLimits& limits)
+{
+  TriangleComplex trial = complex;
+  return refill_around(trial, loop, bordering, limits) && refill_around(complex, loop, bordering, limits);
+}
+
+/** \brief Fills tears of any perimeter. */
+std::size_t close_tears(TriangleComplex& complex, const BorderingCells& bordering, FillLimits limits)
+{
+  limits.perimeter = infinity;
+  limits.smallest_angle = thin_angle;
+  std::size_t closed = 0;
+  for (const Polygon& loop : boundary_loops(complex)) {
+    // An earlier loop's filling may have changed this one.
+    if (!is_tear(complex, bordering, loop) || loop_through(complex, loop.front()) != loop) continue;
+    if (fill_polygon(complex, bordering, loop, limits) || mend_hole(complex, bordering, loop, limits) ||
+        fill_frayed(complex, bordering, loop, limits))
+      ++closed;
+  }
+  return closed;
 }
 
 /** \brief By vertex: area of the component that it is in. Every vertex must have a single fan. */
@@ -157,16 +217,6 @@ std::vector<double> component_areas(const TriangleComplex& complex)
       for (const std::uint32_t v : t) areas[v] = area;
   }
   return areas;
-}
-
-/** \brief A rim with fins that fold onto each other has a filling once it is cut back by one row of faces. */
-bool fill_frayed(TriangleComplex& complex,
-                 const BorderingCells& bordering,
-                 const Polygon& loop,
-                 const FillLimits& limits)
-{
-  TriangleComplex trial = complex;
-  return refill_around(trial, loop, bordering, limits) && refill_around(complex, loop, bordering, limits);
 }
 
 }  // namespace
@@ -264,7 +314,8 @@ std::size_t fill_holes(TriangleComplex& complex,
     clean_mesh(complex, seeds);
     filled += fill_loops(complex, bordering, limits);
   }
-  filled += mend_holes(complex, bordering, limits);
+  filled += close_tears(complex, bordering, limits);  // before mending, which may cut through what is torn
+  filled += mend_holes(complex, bordering, limits) + close_tears(complex, bordering, limits);
   clean_mesh(complex, seeds);
   return filled;
 }

@@ -125,6 +125,22 @@ TEST(Dragon, IsNearlyWhole)
   EXPECT_GE(finer.largest_share(), 0.998);
 }
 
+/** \brief Under its belly there is a shaft less than a radius wide, which branches. */
+TEST(Dragon, IsWholeAtManyCounts)
+{
+  SKIP_IF_ABSENT("dragon_vrip.ply");
+  const Scan scan("dragon_vrip.ply");
+  for (const std::uint64_t vertices : {8000U, 15000U, 30000U})
+    for (const std::uint32_t seed : {0U, 1U, 2U, 3U}) {
+      pds::Options options;
+      options.vertices = vertices;
+      options.seed = seed;
+      const pds::Report report = pds::reconstruct(view_of(scan.points), options).report;
+      EXPECT_EQ(report.components, 1U) << vertices << ' ' << seed;
+      EXPECT_EQ(report.boundary_loops, 0U) << vertices << ' ' << seed;
+    }
+}
+
 class Terrain : public testing::TestWithParam<const char*>
 {
 };

@@ -193,16 +193,16 @@ TEST(NoisySheets, AreTheSameForAnyOrderAndNumberOfThreads)
   EXPECT_EQ(one.triangles, three.triangles);
 }
 
-/** \brief Points at random leave rims ragged: there some sheets are joined. */
-TEST(NoisySheets, StayTwoInMostRandomSamples)
+/** \brief Points at random leave rims ragged: there one pair is joined. */
+TEST(NoisySheets, StayTwoInNearlyAllRandomSamples)
 {
-  constexpr unsigned samples = 8;
+  constexpr unsigned samples = 16;
   unsigned apart = 0;
   for (unsigned seed = 1; seed <= samples; ++seed) {
     const pds::Reconstruction mesh = reconstruct(two_squares({2, 0.3, Layout::random}, small_cloud, seed));
     apart += mesh.report.components == 2 ? 1 : 0;
   }
-  EXPECT_GE(apart, samples * 3 / 4);
+  EXPECT_GE(apart, samples - 1);
 }
 
 /** \brief The surface of a plate of 6 x 2 with three square holes through it: genus 3. */
@@ -234,7 +234,7 @@ Points three_holed_plate(double thickness, double points_per_area, Layout layout
   return points;
 }
 
-constexpr unsigned plates = 6;
+constexpr unsigned plates = 16;
 
 /** \brief Reconstructs a plate two intervals thick. */
 MeshFacts mesh_of_plate(Layout layout, unsigned seed)
@@ -260,19 +260,17 @@ TEST(ThinPlate, IsClosedAndKeepsItsHoles)
     EXPECT_EQ(facts.components, 1U);
     whole += facts.boundary_loops == 0 && euler_of_closed(facts) == -4 ? 1 : 0;
   }
-  EXPECT_GE(whole, plates - 1);  // one is torn along its rim
+  EXPECT_GE(whole, plates * 7 / 8);  // at rims two are torn
 }
 
-TEST(ThinPlate, KeepsItsHolesIfPointsAreAtRandom)
+TEST(ThinPlate, IsClosedAndKeepsItsHolesIfPointsAreAtRandom)
 {
-  std::size_t loops = 0;
   for (unsigned seed = 1; seed <= plates; ++seed) {
     const MeshFacts facts = mesh_of_plate(Layout::random, seed);
     EXPECT_EQ(facts.components, 1U);
-    EXPECT_EQ(euler_of_closed(facts), -4);
-    loops += facts.boundary_loops;
+    EXPECT_EQ(facts.boundary_loops, 0U);
+    EXPECT_EQ(facts.euler(), -4);
   }
-  EXPECT_LE(loops, plates);
 }
 
 /** \brief A sphere as a scanner sees it from all around, each scan put where it should be but for an error of its own.

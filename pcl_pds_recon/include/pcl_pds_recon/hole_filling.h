@@ -63,7 +63,8 @@ bool fill_polygon(TriangleComplex& complex,
                   const FillLimits& limits);
 
 /** \brief Fills the faces of more than three sides that lie wholly in the open, then all holes of the complex within
- * the limits, shortest first (paper, flowchart step 8). Before, between and after, what cannot stay goes: pinched
+ * the limits, shortest first (paper, flowchart step 8), then tears of any perimeter: many cells along them border on
+ * others along them. Before, between and after, what cannot stay goes: pinched
  * vertices keep their largest fan, specks are removed.
  * \return the number of polygons of more than three sides filled, and of joints between rims */
 std::size_t fill_holes(TriangleComplex& complex,
