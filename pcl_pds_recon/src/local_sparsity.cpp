@@ -11,7 +11,10 @@ namespace pds
 namespace
 {
 
-constexpr float smallest_disk = 1.6F;   // intervals; as the adaptive metric has it
+constexpr float smallest_disk = 1.6F;  // intervals; as the adaptive metric has it
+// Radii: what is sparser is likely no surface. From 4 on curtains of mixed pixels, which hang between a silhouette and
+// what is behind it, get faces.
+constexpr float sparsest = 3.0F;
 constexpr std::size_t large_cell = 9;  // points; a radius of smallest_disk gives 8 in the mean, the default one 29
 
 /** \brief The sampling interval at one point after the other. Holds the working memory of one thread. */
@@ -62,7 +65,7 @@ std::vector<float> local_sparsity(const OrderedPoints& points,
     LocalInterval interval(points, graph);
     for (std::size_t s = begin; s < end; ++s)
       if (cell_begin[s + 1] - cell_begin[s] < large_cell)
-        sparsity[s] = std::max(1.0F, per_radius * interval.at(sampling.seeds[s]));
+        sparsity[s] = std::clamp(per_radius * interval.at(sampling.seeds[s]), 1.0F, sparsest);
   });
   return sparsity;
 }
