@@ -21,6 +21,7 @@ using Eigen::Vector3d;
 constexpr std::size_t most_corners = 48;  // bounds the cubic cost; a perimeter of 15 radii has about 12
 constexpr int rounds = 2;                 // of cleaning and filling
 constexpr double widening = 1.5;          // how much longer a hole may get by mending
+constexpr int most_cut_rims = 32;         // of tears or gaps: each takes a copy of the mesh, and there may be thousands
 
 // A part may be thinner than the radius. There the surface tears, for edges are sharper than faces may be elsewhere.
 constexpr double torn_share = 0.4;   // of the cells along a tear border on others along it; along true rims below 0.15
@@ -178,12 +179,15 @@ bool is_tear(const TriangleComplex& complex, const BorderingCells& bordering, co
          torn_share * static_cast<double>(loop.size());
 }
 
-/** \brief A rim with fins that fold onto each other has a filling once it is cut back by one row of faces. */
+/** \brief A rim with fins that fold onto each other has a filling once it is cut back by one row of faces.
+ * \param cut_rims that have been tried */
 bool fill_frayed(TriangleComplex& complex,
                  const BorderingCells& bordering,
                  const Polygon& loop,
-                 const FillLimits& limits)
+                 const FillLimits& limits,
+                 int& cut_rims)
 {
+  if (++cut_rims > most_cut_rims) return false;
   TriangleComplex trial = complex;
   return refill_around(trial, loop, bordering, limits) && refill_around(complex, loop, bordering, limits);
 }
@@ -194,11 +198,12 @@ std::size_t close_tears(TriangleComplex& complex, const BorderingCells& borderin
   limits.perimeter = infinity;
   limits.smallest_angle = thin_angle;
   std::size_t closed = 0;
+  int cut_rims = 0;
   for (const Polygon& loop : boundary_loops(complex)) {
     // An earlier loop's filling may have changed this one.
     if (!is_tear(complex, bordering, loop) || loop_through(complex, loop.front()) != loop) continue;
     if (fill_polygon(complex, bordering, loop, limits) || mend_hole(complex, bordering, loop, limits) ||
-        fill_frayed(complex, bordering, loop, limits))
+        fill_frayed(complex, bordering, loop, limits, cut_rims))
       ++closed;
   }
   return closed;
@@ -333,11 +338,12 @@ std::size_t fill_gaps(TriangleComplex& complex,
   of_gaps.chord = gap_chord;
   of_gaps.facing = gap_facing;
   std::size_t filled = 0;
+  int cut_rims = 0;
   for (const Polygon& loop : boundary_loops(complex)) {
     if (loop.size() > most_corners || loop_through(complex, loop.front()) != loop) continue;
     of_gaps.area = std::min(pi * radius * radius, gap_share * component_area[loop.front()]);
     if (fill_polygon(complex, bordering, loop, of_gaps) || mend_hole(complex, bordering, loop, of_gaps) ||
-        fill_frayed(complex, bordering, loop, of_gaps))
+        fill_frayed(complex, bordering, loop, of_gaps, cut_rims))
       ++filled;
   }
   clean_mesh(complex, seeds);
