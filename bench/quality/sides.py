@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Reconstructs raw scans with their normals and without, and prints how many faces are on the side that the normals of
-the nearest scan points tell, and how many edges join a front to a back.
+the nearest scan points tell, and how many edges join a front to a back. Last of each the reference itself, with as many
+faces, where the mesh is.
 
 Needs python3-numpy and python3-open3d (bench/peers/install.sh). docs/quality.md has the columns.
 """
@@ -59,6 +60,17 @@ class Reference:
         return near and self.normals[nearest] @ normal >= ASIDE
 
 
+def coarser_reference(reference, mesh_file, radius):
+    """The reference with as many faces as a mesh, where that mesh is."""
+    mesh = open3d.io.read_triangle_mesh(str(mesh_file))
+    coarser = reference.simplify_quadric_decimation(len(mesh.triangles))
+    scene = open3d.t.geometry.RaycastingScene()
+    scene.add_triangles(open3d.t.geometry.TriangleMesh.from_legacy(mesh))
+    centers = open3d.core.Tensor(face_normals(coarser)[0].astype(numpy.float32))
+    coarser.remove_triangles_by_mask(scene.compute_distance(centers).numpy() > APART * radius)
+    return coarser
+
+
 def judge(mesh_file, cloud, reference, radius):
     mesh = open3d.io.read_triangle_mesh(str(mesh_file))
     centers, normals = face_normals(mesh)
@@ -73,6 +85,11 @@ def judge(mesh_file, cloud, reference, radius):
     left = [pair for pair in opposed if not finer.has_crease(centers[pair].mean(axis=0))]
     off = [pair for pair in left if not all(finer.goes_along(centers[face], normals[face]) for face in pair)]
     return len(normals), int(wrong.sum()), len(opposed), len(left), len(off)
+
+
+def print_row(names, judged):
+    faces, wrong, *edges = judged
+    print("| " + " | ".join(map(str, (*names, faces, f"{1 - wrong / faces:.3%}", *edges))) + " |", flush=True)
 
 
 def main():
@@ -93,9 +110,9 @@ def main():
             for kind, scans in (("used", given.scans / cloud_name), ("none", bare)):
                 for seed in range(given.seeds):
                     report = reconstruct(given.build, ("--seed", str(seed)), scans, mesh)
-                    faces, wrong, *edges = judge(mesh, cloud, reference, report["radius"])
-                    print(f"| {key} | {kind} | {seed} | {faces} | {1 - wrong / faces:.3%} | "
-                          + " | ".join(map(str, edges)) + " |", flush=True)
+                    print_row((key, kind, seed), judge(mesh, cloud, reference, report["radius"]))
+            open3d.io.write_triangle_mesh(str(mesh), coarser_reference(reference, mesh, report["radius"]))
+            print_row((key, "reference", ""), judge(mesh, cloud, reference, report["radius"]))
 
 
 main()
