@@ -2,7 +2,9 @@
 #include <pcl_pds_recon/seed_faces.h>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 #include "parallel_parts.h"
+#include "wrong_joins.h"
 
 namespace pds
 {
@@ -118,6 +120,43 @@ bool all_open(const TriangleComplex& complex, const SeedTriple& t)
   return complex.face_count(t.a, t.b) < 2 && complex.face_count(t.b, t.c) < 2 && complex.face_count(t.c, t.a) < 2;
 }
 
+/** \brief Adds what fits, smooth places first.
+ * \return triangles that would make the surface one-sided */
+std::vector<Triangle> add_triples(TriangleComplex& complex, const std::vector<Triangle>& triples)
+{
+  for (const Triangle& t : triples) complex.add(t, first_triple_angle);
+  std::vector<Triangle> one_sided;
+  for (const Triangle& t : triples)
+    if (complex.add(t, second_triple_angle) == TriangleComplex::Verdict::one_sided) one_sided.push_back(t);
+  return one_sided;
+}
+
+bool have_same_corners(Triangle s, Triangle t)
+{
+  std::sort(s.begin(), s.end());
+  std::sort(t.begin(), t.end());
+  return s == t;
+}
+
+/** \brief Offers the triples again without what joined the sides of a thin part the wrong way round; that comes last.
+ */
+void rejoin(TriangleComplex& complex, std::vector<Triangle> triples, const std::vector<Triangle>& refused)
+{
+  std::vector<Triangle> wrong;
+  for (const std::uint32_t f : wrong_joins(complex, refused)) {
+    wrong.push_back(complex.oriented(f));
+    complex.remove(f);
+  }
+  if (wrong.empty()) return;
+  complex.rebuild_orientation();
+  const auto is_wrong = [&](const Triangle& t) {
+    return std::any_of(wrong.begin(), wrong.end(), [&](const Triangle& w) { return have_same_corners(t, w); });
+  };
+  triples.erase(std::remove_if(triples.begin(), triples.end(), is_wrong), triples.end());
+  add_triples(complex, triples);
+  for (const Triangle& t : wrong) complex.add(t, least_dual_angle);
+}
+
 }  // namespace
 
 SeedFaces trace_faces(const SeedGraph& graph, const SeedGeometry& seeds, const Parallel& parallel)
@@ -162,8 +201,11 @@ std::vector<Triangle> add_dual_triangles(TriangleComplex& complex,
     append(pending, part);
   std::stable_sort(pending.begin(), pending.end(),
                    [](const SeedTriple& x, const SeedTriple& y) { return x.votes > y.votes; });
-  for (const double angle : {first_triple_angle, second_triple_angle})
-    for (const SeedTriple& t : pending) complex.add({t.a, t.b, t.c}, angle);
+  std::vector<Triangle> offered;
+  offered.reserve(pending.size());
+  for (const SeedTriple& t : pending) offered.push_back({t.a, t.b, t.c});
+  if (const std::vector<Triangle> refused = add_triples(complex, offered); !refused.empty())
+    rejoin(complex, std::move(offered), refused);
   return one_sided;
 }
 
