@@ -131,11 +131,10 @@ std::vector<Triangle> add_triples(TriangleComplex& complex, const std::vector<Tr
   return one_sided;
 }
 
-bool have_same_corners(Triangle s, Triangle t)
+Triangle with_ascending_corners(Triangle t)
 {
-  std::sort(s.begin(), s.end());
   std::sort(t.begin(), t.end());
-  return s == t;
+  return t;
 }
 
 /** \brief Offers the triples again without what joined the sides of a thin part the wrong way round; that comes last.
@@ -144,15 +143,17 @@ void rejoin(TriangleComplex& complex, std::vector<Triangle> triples, const std::
 {
   std::vector<Triangle> wrong;
   for (const std::uint32_t f : wrong_joins(complex, refused)) {
-    wrong.push_back(complex.oriented(f));
+    wrong.push_back(with_ascending_corners(complex.oriented(f)));
     complex.remove(f);
   }
   if (wrong.empty()) return;
   complex.rebuild_orientation();
-  const auto is_wrong = [&](const Triangle& t) {
-    return std::any_of(wrong.begin(), wrong.end(), [&](const Triangle& w) { return have_same_corners(t, w); });
-  };
-  triples.erase(std::remove_if(triples.begin(), triples.end(), is_wrong), triples.end());
+  std::sort(wrong.begin(), wrong.end());
+  triples.erase(std::remove_if(triples.begin(), triples.end(),
+                               [&](const Triangle& t) {
+                                 return std::binary_search(wrong.begin(), wrong.end(), with_ascending_corners(t));
+                               }),
+                triples.end());
   add_triples(complex, triples);
   for (const Triangle& t : wrong) complex.add(t, least_dual_angle);
 }
