@@ -53,7 +53,8 @@ TEST_P(UnevenDensity, LeavesTheRimOfAPlane)
  * each is by the distances of the points around it; a wide one stays open in both. */
 TEST(SparseParts, HaveHoleLimitsOfTheirOwn)
 {
-  constexpr double sparse_interval = 1.46 * 2 / 200.0;  // of the tenth of 100,000 points on half of a square of 2 x 2
+  // Of a tenth of the points on a square of 2 x 2.
+  const double sparse_interval = 1.46 * 2 / std::sqrt(4.0 * large_cloud / 10);
   const auto loops = [](double width) {
     Points points = thinned_beyond(plane(4 * large_cloud), 10);
     points.erase(
@@ -85,7 +86,7 @@ TEST(SparseParts, AreNoCurtains)
   const Points surface = plane(large_cloud);
   Points curtain;
   Random random(2);
-  while (curtain.size() < 100) curtain.emplace_back(2 * random.uniform() - 1, 1, 6 * random.uniform());
+  while (curtain.size() < large_cloud / 1000) curtain.emplace_back(2 * random.uniform() - 1, 1, 6 * random.uniform());
   const Points points = joined(surface, curtain);
   const pds::Reconstruction mesh = reconstruct(points);
   expect_sound(mesh, points);
